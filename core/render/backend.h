@@ -1,0 +1,69 @@
+/// @file
+/// Backend: a scene made ready on a device, answering sample plans. The flow:
+/// Scene -> MakeBackend -> Backend::Render(plan) -> Fragments.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/render/fragments.h"
+#include "core/render/sample_plan.h"
+#include "core/scene/scene.h"
+
+namespace rtb {
+
+/// What a rendering depends on beside the scene and the plan.
+struct RenderOptions {
+  double time = 0;         ///< Seconds along the movement paths.
+  int spp = 1;             ///< Rays per sample; 1 = its point, no jitter.
+  std::uint64_t seed = 0;  ///< Of the stratified positions (spp > 1).
+  int max_depth = -1;      ///< Bounces after the eye ray; -1 = the scene's.
+  int threads = 0;         ///< Upper bound; 0 = all cores.
+  std::string integrator = "whitted";
+};
+
+/// Rays traced by one Render call, by kind.
+struct RayCounts {
+  std::uint64_t camera = 0;
+  std::uint64_t shadow = 0;
+  std::uint64_t secondary = 0;  ///< Reflection and refraction rays.
+};
+
+/// A scene prepared for rendering on one device.
+class Backend {
+ public:
+  virtual ~Backend() = default;
+
+  /// The name by which the command line knows it.
+  virtual std::string name() const = 0;
+
+  /// Renders every sample of the plan: linear radiance, not exposed. The
+  /// result depends on the arguments alone, never on the number of threads.
+  virtual Result<Fragments> Render(const SamplePlan& plan,
+                                   const RenderOptions& options) = 0;
+
+  /// Rays traced by the last Render.
+  virtual RayCounts ray_counts() const = 0;
+};
+
+/// One row of the table of backends.
+struct BackendInfo {
+  const char* name;
+  const char* description;
+  bool available;       ///< Compiled in and able to run here.
+  const char* why_not;  ///< When not available.
+};
+
+/// All backends that the command line names, available or not.
+std::span<const BackendInfo> Backends();
+
+/// Prepares `scene` (which must outlive the backend) on the named backend.
+/// @return kBadInput for an unknown name, kMissing for one that is not
+/// available, and the errors of CheckRenderable and Flatten.
+Result<std::unique_ptr<Backend>> MakeBackend(const std::string& name,
+                                             const Scene& scene);
+
+}  // namespace rtb

@@ -1,0 +1,48 @@
+/// @file
+/// Fragments: the shaded samples that answer a SamplePlan.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/math/vec.h"
+#include "core/render/sample_plan.h"
+
+namespace rtb {
+
+/// cells x samples, linear float RGB, cell by cell (row by row), in each cell
+/// in the plan's order.
+struct Fragments {
+  GridSize grid;
+  int samples_per_cell = 0;
+  std::vector<Rgb> values;
+
+  Fragments() = default;
+  /// Black fragments for a plan.
+  explicit Fragments(const SamplePlan& plan)
+      : grid(plan.grid),
+        samples_per_cell(plan.samples_per_cell),
+        values(static_cast<std::size_t>(plan.grid.cells()) *
+                   static_cast<std::size_t>(plan.samples_per_cell),
+               Rgb(0)) {}
+
+  /// The samples of one cell.
+  std::span<Rgb> cell(int index) {
+    return std::span(values).subspan(Offset(index), Count());
+  }
+  /// The samples of one cell.
+  std::span<const Rgb> cell(int index) const {
+    return std::span(values).subspan(Offset(index), Count());
+  }
+
+ private:
+  std::size_t Count() const {
+    return static_cast<std::size_t>(samples_per_cell);
+  }
+  std::size_t Offset(int index) const {
+    return static_cast<std::size_t>(index) * Count();
+  }
+};
+
+}  // namespace rtb
