@@ -1,0 +1,55 @@
+#include "core/base/parallel.h"
+
+#include <pmmintrin.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+#include <xmmintrin.h>
+
+#include <algorithm>
+
+#include "core/base/check.h"
+
+namespace rtb {
+namespace {
+
+/// Embree wants denormals flushed; one mode everywhere keeps results equal on
+/// workers and on the calling thread.
+class FlushDenormals {
+ public:
+  FlushDenormals() : saved_(_mm_getcsr()) {
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  }
+  ~FlushDenormals() { _mm_setcsr(saved_); }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+  unsigned saved_;
+};
+
+}  // namespace
+
+void ParallelFor(int count, int grain, int threads,
+                 const std::function<void(int begin, int end)>& body) {
+  RTB_CHECK_GT(grain, 0);
+  const int blocks = (count + grain - 1) / grain;
+  const auto run_block = [&](int block) {
+    const FlushDenormals flush;
+    const int begin = block * grain;
+    body(begin, std::min(begin + grain, count));
+  };
+  if (threads == 1) {
+    for (int block = 0; block < blocks; ++block) run_block(block);
+    return;
+  }
+  // An arena of our own bounds the threads: Embree's device installs no
+  // process-wide limit this way.
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(0, blocks, run_block, tbb::simple_partitioner());
+  });
+}
+
+}  // namespace rtb

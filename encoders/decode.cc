@@ -1,0 +1,1 @@
+#include "encoders/decode.h"

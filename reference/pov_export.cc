@@ -1,0 +1,1 @@
+#include "reference/pov_export.h"
