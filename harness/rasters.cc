@@ -55,10 +55,10 @@ Result<RasterPair> MatchRasters(const Image& reference, const Image& test,
   };
   const double ratio = aspect(pair.reference_size) / aspect(pair.test_size);
   if (std::abs(ratio - 1) > kAspectTolerance) {
-    return Fail(BadInput(
-        place, "found " + Text(pair.reference_size) +
-                   " pixels to compare with " + Text(pair.test_size) +
-                   ", expected the same aspect within 0.1 %"));
+    return Fail(BadInput(place, "found " + Text(pair.reference_size) +
+                                    " pixels to compare with " +
+                                    Text(pair.test_size) +
+                                    ", expected the same aspect within 0.1 %"));
   }
   const PixelSize size =
       std::min(pair.reference_size, pair.test_size,

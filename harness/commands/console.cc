@@ -98,8 +98,8 @@ std::function<void(double, const std::string&)> ProgressLine(bool quiet) {
     if (step == last) return;
     last = step;
     const int percent = static_cast<int>(share * 100);
-    const std::string text = Printable(what) + " " + std::to_string(percent) +
-                             " %";
+    const std::string text =
+        Printable(what) + " " + std::to_string(percent) + " %";
     if (in_place) {
       WriteToStderr("\r\033[K" + text + (percent == 100 ? "\n" : ""));
     } else {

@@ -51,8 +51,7 @@ Status CheckExtension(const std::filesystem::path& output) {
 
 Status Render(const RenderCommandOptions& options) {
   RTB_RETURN_IF_ERROR(CheckExtension(options.output));
-  RTB_ASSIGN_OR_RETURN(const PreparedScene scene,
-                       PrepareScene(options.scene));
+  RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(options.scene));
   const double start = scene.options.time;
   if (options.frames == 0) {
     return RenderTo(options.output, scene, options.size, start);
