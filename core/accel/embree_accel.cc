@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -21,12 +22,12 @@ struct Query {
   Rgb transmittance{1};
 };
 
-V3f Origin(const RTCRayN* ray, unsigned n, unsigned i) {
+V3f Origin(RTCRayN* ray, unsigned n, unsigned i) {
   return V3f(RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i),
              RTCRayN_org_z(ray, n, i));
 }
 
-V3f Direction(const RTCRayN* ray, unsigned n, unsigned i) {
+V3f Direction(RTCRayN* ray, unsigned n, unsigned i) {
   return V3f(RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i),
              RTCRayN_dir_z(ray, n, i));
 }
@@ -64,6 +65,14 @@ struct EmbreeAccel::Impl {
   bool Cross(int object, Query* query) const {
     query->transmittance *= transmittance[static_cast<std::size_t>(object)];
     return query->transmittance != Rgb(0);
+  }
+
+  bool AnyTransparentTriangle() const {
+    return std::any_of(
+        geometry->triangle_objects.begin(), geometry->triangle_objects.end(),
+        [&](int object) {
+          return transmittance[static_cast<std::size_t>(object)] != Rgb(0);
+        });
   }
 };
 
@@ -171,7 +180,9 @@ void AttachTriangles(Impl* impl) {
     indices[i] = static_cast<unsigned>(i);
   }
   rtcSetGeometryUserData(geometry, impl);
-  rtcSetGeometryOccludedFilterFunction(geometry, TriangleOccludedFilter);
+  if (impl->AnyTransparentTriangle()) {
+    rtcSetGeometryOccludedFilterFunction(geometry, TriangleOccludedFilter);
+  }
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(impl->scene, geometry, kTriangles);
   rtcReleaseGeometry(geometry);
@@ -250,7 +261,7 @@ Hit EmbreeAccel::Closest(const Ray& ray) const {
   IntersectPlanes(impl_->view, ray, &hit);
   RTCRayHit query{};
   query.ray = ToRtc(ray);
-  if (hit.kind != PrimitiveKind::kNone) query.ray.tfar = hit.t;
+  if (hit.kind != PrimitiveKind::kNothing) query.ray.tfar = hit.t;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

@@ -28,7 +28,7 @@ class EmbreeAccel {
   EmbreeAccel& operator=(EmbreeAccel&&) noexcept;
   ~EmbreeAccel();
 
-  /// The closest hit on (0, ray.t_max), kind kNone if there is none.
+  /// The closest hit on (0, ray.t_max), kind kNothing if there is none.
   Hit Closest(const Ray& ray) const;
 
   /// The share of light that passes along the ray: the product of the

@@ -17,11 +17,11 @@ struct Ray {
 };
 
 /// The kinds of primitives that an accelerator tells apart.
-enum class PrimitiveKind { kNone, kTriangle, kSphere, kDisk, kPlane };
+enum class PrimitiveKind { kNothing, kTriangle, kSphere, kDisk, kPlane };
 
 /// The closest intersection along a ray, as the accelerator reports it.
 struct Hit {
-  PrimitiveKind kind = PrimitiveKind::kNone;
+  PrimitiveKind kind = PrimitiveKind::kNothing;
   int primitive = -1;  ///< Index among the primitives of its kind.
   float t = std::numeric_limits<float>::infinity();
   float u = 0, v = 0;  ///< Barycentric coordinates (triangles).

@@ -61,7 +61,7 @@ RTB_HD inline SurfacePoint PlaneSurface(const PlaneData& plane,
           std::max(MaxAbs(position), MaxAbs(plane.point)), plane.object};
 }
 
-/// The surface at a hit; `hit.kind` is not kNone.
+/// The surface at a hit; `hit.kind` is not kNothing.
 RTB_HD inline SurfacePoint SurfaceAt(const GeometryView& geometry,
                                      const Ray& ray, const Hit& hit) {
   if (hit.kind == PrimitiveKind::kTriangle) {
