@@ -25,8 +25,7 @@ TEST(MultiJitteredTest, SquareCountsAreStratifiedAsGridAndInEachAxis) {
     std::set<int> squares;
     for (std::uint32_t i = 0; i < 64; ++i) {
       const V2f p = MultiJittered(i, 64, pattern);
-      squares.insert(static_cast<int>(p.x * 8) * 8 +
-                     static_cast<int>(p.y * 8));
+      squares.insert(static_cast<int>(p.x * 8) * 8 + static_cast<int>(p.y * 8));
     }
     EXPECT_EQ(squares.size(), 64u);
   }

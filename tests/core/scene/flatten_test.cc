@@ -117,11 +117,14 @@ TEST(FlattenTest, PathMovesItsOwner) {
   sphere.position = V3d(1, 0, 0);
   sphere.path = 0;
   Scene scene;
-  scene.paths = {{"p", {V3d(0, 0, 0), V3d(4, 0, 0)}, {0, 2}, 2, false,
+  scene.paths = {{"p",
+                  {V3d(0, 0, 0), V3d(4, 0, 0)},
+                  {0, 2},
+                  2,
+                  false,
                   Path::Interpolation::kLinear}};
   scene.objects = {sphere};
-  EXPECT_EQ(Flat(scene, 0.5).spheres.at(0).unit_to_world.origin,
-            V3d(2, 0, 0));
+  EXPECT_EQ(Flat(scene, 0.5).spheres.at(0).unit_to_world.origin, V3d(2, 0, 0));
 }
 
 TEST(FlattenTest, LeavingSinglePrecisionIsAnErrorThatNamesTheObject) {
