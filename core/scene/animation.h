@@ -18,7 +18,8 @@ struct CameraFrame {
   double tan_half_vfov;
 };
 
-/// The scene's camera at `time`, paths applied.
+/// The scene's camera at `time`, paths applied. Where a path makes the view
+/// direction vanish it is -z; where it runs along `up`, right is arbitrary.
 CameraFrame CameraAt(const Scene& scene, double time);
 
 }  // namespace rtb

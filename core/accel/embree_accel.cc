@@ -1,0 +1,103 @@
+#include "core/accel/embree_accel.h"
+
+#include <string>
+#include <utility>
+
+#include "core/accel/embree_impl.h"
+#include "core/accel/intersect.h"
+#include "core/base/check.h"
+
+namespace rtb {
+namespace {
+
+PrimitiveKind KindOf(unsigned geometry_id) {
+  switch (geometry_id) {
+    case kTriangles:
+      return PrimitiveKind::kTriangle;
+    case kSpheres:
+      return PrimitiveKind::kSphere;
+    default:
+      return PrimitiveKind::kDisk;
+  }
+}
+
+RTCRay ToRtc(const Ray& ray) {
+  RTCRay rtc{};
+  rtc.org_x = ray.origin.x;
+  rtc.org_y = ray.origin.y;
+  rtc.org_z = ray.origin.z;
+  rtc.dir_x = ray.direction.x;
+  rtc.dir_y = ray.direction.y;
+  rtc.dir_z = ray.direction.z;
+  rtc.tnear = 0;
+  rtc.tfar = ray.t_max;
+  rtc.mask = 0xFFFFFFFFu;
+  return rtc;
+}
+
+}  // namespace
+
+EmbreeAccel::EmbreeAccel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+EmbreeAccel::EmbreeAccel(EmbreeAccel&&) noexcept = default;
+EmbreeAccel& EmbreeAccel::operator=(EmbreeAccel&&) noexcept = default;
+EmbreeAccel::~EmbreeAccel() = default;
+
+Result<EmbreeAccel> EmbreeAccel::Build(const Geometry& geometry,
+                                       std::vector<Rgb> transmittance) {
+  RTB_CHECK_EQ(transmittance.size(), geometry.objects.size());
+  auto impl = std::make_unique<Impl>();
+  // No "threads=N": that would bound every TBB loop of the process.
+  impl->device = rtcNewDevice("");
+  if (impl->device == nullptr) {
+    return Fail(Failure(
+        "embree",
+        "no device: error " + std::to_string(rtcGetDeviceError(nullptr))));
+  }
+  impl->scene = rtcNewScene(impl->device);
+  impl->geometry = &geometry;
+  impl->view = ViewOf(geometry);
+  impl->transmittance = std::move(transmittance);
+  rtcSetSceneFlags(impl->scene, RTC_SCENE_FLAG_ROBUST);
+  AttachGeometry(impl.get());
+  rtcCommitScene(impl->scene);
+  const RTCError error = rtcGetDeviceError(impl->device);
+  if (error != RTC_ERROR_NONE) {
+    return Fail(Failure("embree", error == RTC_ERROR_OUT_OF_MEMORY
+                                      ? "out of memory"
+                                      : "error " + std::to_string(error)));
+  }
+  return EmbreeAccel(std::move(impl));
+}
+
+Hit EmbreeAccel::Closest(const Ray& ray) const {
+  Hit hit;
+  IntersectPlanes(impl_->view, ray, &hit);
+  RTCRayHit query{};
+  query.ray = ToRtc(ray);
+  if (hit.kind != PrimitiveKind::kNothing) query.ray.tfar = hit.t;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(impl_->scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+  return {KindOf(query.hit.geomID), static_cast<int>(query.hit.primID),
+          query.ray.tfar, query.hit.u, query.hit.v};
+}
+
+Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
+  EmbreeQuery query;
+  for (const PlaneData& plane : impl_->geometry->planes) {
+    const Roots roots = IntersectPlane(plane, ray.origin, ray.direction);
+    const bool crossed =
+        roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max;
+    if (crossed && !impl_->Cross(plane.object, &query)) return Rgb(0);
+  }
+  rtcInitIntersectContext(&query.context);
+  RTCRay shadow = ToRtc(ray);
+  rtcOccluded1(impl_->scene, &query.context, &shadow);
+  return shadow.tfar < 0 ? Rgb(0) : query.transmittance;
+}
+
+const GeometryView& EmbreeAccel::geometry() const { return impl_->view; }
+
+}  // namespace rtb

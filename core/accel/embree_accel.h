@@ -1,0 +1,49 @@
+/// @file
+/// EmbreeAccel: closest hits and shadow transmittance through Embree. The
+/// only header behind which rtc calls are made.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/accel/geometry.h"
+#include "core/accel/ray.h"
+#include "core/base/result.h"
+
+namespace rtb {
+
+/// Answers ray queries on a Geometry. Triangles are traversed in Embree's
+/// robust (watertight at edges) mode, spheres and disks are user geometry
+/// with the analytic intersections of intersect.h, planes are tested apart.
+/// Queries are thread-safe.
+class EmbreeAccel {
+ public:
+  /// @param geometry must outlive the accelerator.
+  /// @param transmittance per object: what share of light passes straight
+  /// through its surface at one crossing; 0 = opaque.
+  static Result<EmbreeAccel> Build(const Geometry& geometry,
+                                   std::vector<Rgb> transmittance);
+
+  EmbreeAccel(EmbreeAccel&&) noexcept;
+  EmbreeAccel& operator=(EmbreeAccel&&) noexcept;
+  ~EmbreeAccel();
+
+  /// The closest hit on (0, ray.t_max), kind kNothing if there is none.
+  Hit Closest(const Ray& ray) const;
+
+  /// The share of light that passes along the ray: the product of the
+  /// transmittances of all surfaces crossed, 0 when an opaque one is.
+  Rgb Transmittance(const Ray& ray) const;
+
+  /// The geometry it was built from.
+  const GeometryView& geometry() const;
+
+  /// What is behind the pointer; known to embree_accel.cc and callbacks.
+  struct Impl;
+
+ private:
+  explicit EmbreeAccel(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rtb
