@@ -25,10 +25,21 @@ Affined Placed(const V3d& s, const V3d& t, const V3d& n, const V3d& center) {
   return map;
 }
 
-bool Finite(const V3d& v) {
-  // In float's range, since rendering is done in float.
-  const V3f f(v);
-  return std::isfinite(f.x) && std::isfinite(f.y) && std::isfinite(f.z);
+/// Rendering is done in float: beyond this, squares of lengths overflow.
+constexpr double kLargest = 1e18;
+
+bool Representable(const V3d& v) {
+  return std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest &&
+         std::abs(v.z) <= kLargest;
+}
+
+/// Whether a map and its inverse fit into single precision.
+bool Representable(const Affined& map) {
+  const auto all = [](const Affined& m) {
+    return Representable(m.x) && Representable(m.y) && Representable(m.z) &&
+           Representable(m.origin);
+  };
+  return all(map) && all(map.Inverse());
 }
 
 /// Appends the primitives of one object to a FlatScene.
@@ -90,16 +101,16 @@ class ShapeFlattener {
   void operator()(const Instance&) {}
 
   /// Whether everything that was added fits into single precision.
-  bool finite() const { return finite_; }
+  bool representable() const { return representable_; }
 
  private:
   /// The argument, noted when it leaves float's range.
   const V3d& Kept(const V3d& v) {
-    finite_ = finite_ && Finite(v);
+    representable_ = representable_ && Representable(v);
     return v;
   }
-  Affined Kept(const Affined& m) {
-    for (const V3d& v : {m.x, m.y, m.z, m.origin}) Kept(v);
+  const Affined& Kept(const Affined& m) {
+    representable_ = representable_ && Representable(m);
     return m;
   }
   /// Adds a triangle of the object's own coordinates, unless it vanishes in
@@ -120,7 +131,7 @@ class ShapeFlattener {
   const Affined& to_world_;
   const Index object_;
   FlatScene& flat_;
-  bool finite_ = true;
+  bool representable_ = true;
 };
 
 /// Walks the tree.
@@ -142,7 +153,9 @@ class Flattener {
       return {};
     }
     flat_.objects.push_back({context.material, context.to_world});
-    std::visit(ShapeFlattener(scene_, context.to_world, &flat_), source->shape);
+    ShapeFlattener shape(scene_, context.to_world, &flat_);
+    std::visit(shape, source->shape);
+    if (!shape.representable()) return Fail(OutOfRange(object));
     return {};
   }
 
@@ -164,12 +177,7 @@ class Flattener {
     context.material = object.material != kNone   ? object.material
                        : source.material != kNone ? source.material
                                                   : parent.material;
-    const Affined inverse = context.to_world.Inverse();
-    for (const Affined& m : {context.to_world, inverse}) {
-      if (!Finite(m.x) || !Finite(m.y) || !Finite(m.z) || !Finite(m.origin)) {
-        return Fail(OutOfRange(object));
-      }
-    }
+    if (!Representable(context.to_world)) return Fail(OutOfRange(object));
     return context;
   }
 
