@@ -33,8 +33,10 @@ std::filesystem::path FrameFile(const std::filesystem::path& output,
 
 Status RenderTo(const std::filesystem::path& file, const PreparedScene& scene,
                 PixelSize size, double time) {
+  RenderOptions options = scene.options;
+  options.time = time;
   RTB_ASSIGN_OR_RETURN(const Image image,
-                       RenderImage(scene, size, scene.options.spp, time));
+                       RenderImage(*scene.backend, size, options));
   return WriteRender(file, image, scene.exposure);
 }
 
