@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/base/file.h"
+#include "core/color/srgb.h"
+#include "core/image/io.h"
+
+namespace rtb {
+namespace {
+
+std::string LowerExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(),
+      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
+Image DisplayEncoded(const Image& linear, double exposure,
+                     bool round_to_8_bits) {
+  const float gain = std::exp2(static_cast<float>(exposure));
+  Image encoded(linear.width(), linear.height());
+  std::transform(linear.pixels().begin(), linear.pixels().end(),
+                 encoded.pixels().begin(), [&](const Rgb& color) {
+                   const Rgb light = color * gain;
+                   if (round_to_8_bits) return EncodedValues(Encode8(light));
+                   return Rgb(SrgbEncode(light.x), SrgbEncode(light.y),
+                              SrgbEncode(light.z));
+                 });
+  return encoded;
+}
+
+Status WriteRender(const std::filesystem::path& file, const Image& linear,
+                   double exposure) {
+  const std::string extension = LowerExtension(file);
+  if (extension == ".exr") return WriteExr(file, linear, ExrType::kFloat);
+  if (extension == ".png") {
+    return WritePng(file, DisplayEncoded(linear, exposure, true));
+  }
+  if (extension == ".ppm") {
+    return WriteFileAtomically(
+        file, EncodePpm(DisplayEncoded(linear, exposure, true)));
+  }
+  return Fail(BadInput(file.string(), "has the extension '" + extension + "'",
+                       "the formats are .ppm, .png and .exr"));
+}
+
+}  // namespace rtb
