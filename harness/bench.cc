@@ -121,8 +121,9 @@ Status Evaluate(const BenchRequest& request, const PreparedScene& scene,
   return {};
 }
 
-RunSettings Settings(const BenchRequest& request, const PreparedScene& scene,
-                     const ReferencePicture& reference) {
+RunSettings SharedSettings(const BenchRequest& request,
+                           const PreparedScene& scene,
+                           const ReferencePicture& reference) {
   RunSettings settings;
   settings.backend = scene.backend->name();
   settings.integrator = scene.options.integrator;
@@ -172,7 +173,7 @@ Result<BenchResult> Bench(
   BenchResult result;
   Manifest& manifest = result.record.manifest;
   manifest.build = GetBuildInfo();
-  manifest.settings = Settings(request, scene, reference);
+  manifest.settings = SharedSettings(request, scene, reference);
   RTB_ASSIGN_OR_RETURN(manifest.inputs, Inputs(request, scene, reference));
   result.reference = std::move(reference.display);
   RTB_RETURN_IF_ERROR(RunRounds(request, scene, progress, configurations));

@@ -9,11 +9,10 @@
 #include "harness/commands/console.h"
 #include "harness/lookup.h"
 #include "harness/metrics/metric.h"
+#include "harness/results/run_record_json.h"
 
 namespace rtb {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ListOptions {
   std::string what;

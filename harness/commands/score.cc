@@ -10,11 +10,10 @@
 #include "harness/commands/options.h"
 #include "harness/metrics/metric.h"
 #include "harness/rasters.h"
+#include "harness/results/run_record_json.h"
 
 namespace rtb {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ScoreOptions {
   std::string reference;
@@ -94,11 +93,7 @@ Status ScoreAgainstReference(const ScoreOptions& options) {
                        MatchRasters(reference, test, "--reference"));
   RTB_ASSIGN_OR_RETURN(const std::vector<MetricValue> scores,
                        Score(pair.reference, pair.test, options.threads));
-  Json metrics = Json::object();
-  for (const MetricValue& score : scores) {
-    metrics[score.name] = score.value ? Json(*score.value) : Json(nullptr);
-  }
-  return Report("metrics", metrics, options);
+  return Report("metrics", MetricsToJson(scores), options);
 }
 
 Status CompareGrids(const ScoreOptions& options) {
