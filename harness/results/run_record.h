@@ -14,18 +14,12 @@
 #include "core/base/manifest.h"
 #include "core/render/sample_plan.h"
 #include "harness/metrics/metric.h"
+#include "harness/pixel_size.h"
 
 namespace rtb {
 
 /// Version of the records' form; to be raised when a key changes its meaning.
 inline constexpr int kRecordSchema = 1;
-
-/// Width and height in pixels.
-struct PixelSize {
-  int width = 0;
-  int height = 0;
-  bool operator==(const PixelSize&) const = default;
-};
 
 /// Repeated timings of one stage of a run (`render`, `encode`, ...), in
 /// milliseconds and in the order they were taken.
