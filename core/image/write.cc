@@ -50,6 +50,8 @@ Status WriteExr(const std::filesystem::path& file, const Image& linear,
       linear.width(), linear.height(), 3,
       type == ExrType::kHalf ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
   spec.attribute("compression", "zip");
+  // Without it the time of writing goes in: no two files would be the same.
+  spec.attribute("DateTime", "");
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
   return WriteEncoded(file, Encode("image.exr", spec, OIIO::TypeDesc::FLOAT,
                                    linear.pixels().data()));
