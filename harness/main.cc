@@ -1,1 +1,3 @@
-int main() { return 0; }
+#include "harness/commands/program.h"
+
+int main(int argc, char** argv) { return rtb::RunProgram(argc, argv); }

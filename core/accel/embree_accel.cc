@@ -5,6 +5,7 @@
 
 #include "core/accel/embree_impl.h"
 #include "core/accel/intersect.h"
+#include "core/accel/surface.h"
 #include "core/base/check.h"
 
 namespace rtb {
@@ -95,7 +96,21 @@ Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
   rtcInitIntersectContext(&query.context);
   RTCRay shadow = ToRtc(ray);
   rtcOccluded1(impl_->scene, &query.context, &shadow);
-  return shadow.tfar < 0 ? Rgb(0) : query.transmittance;
+  if (shadow.tfar < 0) return Rgb(0);
+  return query.crossed ? SteppedTransmittance(ray) : Rgb(1);
+}
+
+Rgb EmbreeAccel::SteppedTransmittance(Ray ray) const {
+  Rgb left(1);
+  while (left != Rgb(0) && ray.t_max > 0) {
+    const Hit hit = Closest(ray);
+    if (hit.kind == PrimitiveKind::kNothing) break;
+    const SurfacePoint point = SurfaceAt(impl_->view, ray, hit);
+    left *= impl_->transmittance[static_cast<std::size_t>(point.object)];
+    ray.origin = LeavingOrigin(point, ray.direction);
+    ray.t_max -= hit.t;
+  }
+  return left;
 }
 
 const GeometryView& EmbreeAccel::geometry() const { return impl_->view; }

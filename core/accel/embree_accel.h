@@ -42,6 +42,10 @@ class EmbreeAccel {
   struct Impl;
 
  private:
+  /// The transmittance from surface to surface, each crossed once: an any-hit
+  /// query would count both triangles where a ray meets their common edge.
+  Rgb SteppedTransmittance(Ray ray) const;
+
   explicit EmbreeAccel(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

@@ -14,10 +14,10 @@ namespace rtb {
 /// Embree's geometry ids in the one scene.
 enum EmbreeGeometryId : unsigned { kTriangles = 0, kSpheres = 1, kDisks = 2 };
 
-/// Per-query context: carries what a shadow ray has lost so far.
+/// Per-query context of a shadow ray.
 struct EmbreeQuery {
   RTCIntersectContext context;  // first, so that callbacks can cast
-  Rgb transmittance{1};
+  bool crossed = false;         ///< It met something transparent.
 };
 
 struct EmbreeAccel::Impl {
@@ -35,11 +35,12 @@ struct EmbreeAccel::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  /// Multiplies a shadow ray's transmittance by an object's.
-  /// @return whether anything is left.
+  /// Notes that a shadow ray meets an object.
+  /// @return whether any of its light gets through.
   bool Cross(int object, EmbreeQuery* query) const {
-    query->transmittance *= transmittance[static_cast<std::size_t>(object)];
-    return query->transmittance != Rgb(0);
+    if (transmittance[static_cast<std::size_t>(object)] == Rgb(0)) return false;
+    query->crossed = true;
+    return true;
   }
 
   bool AnyTransparentTriangle() const {

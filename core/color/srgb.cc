@@ -16,9 +16,9 @@ double Decode(double v) {
 }
 
 /// Clips to [0, 1]; NaN becomes 0.
-double Clip(float value) {
+double Clip(double value) {
   if (!(value > 0)) return 0;
-  return value < 1 ? static_cast<double>(value) : 1.0;
+  return value < 1 ? value : 1.0;
 }
 
 std::array<float, 256> MakeDecodeTable() {
@@ -36,8 +36,10 @@ float SrgbEncode(float linear) {
 }
 
 float SrgbDecode(float encoded) {
-  return static_cast<float>(Decode(Clip(encoded)));
+  return static_cast<float>(SrgbDecode(static_cast<double>(encoded)));
 }
+
+double SrgbDecode(double encoded) { return Decode(Clip(encoded)); }
 
 std::uint8_t SrgbEncode8(float linear) {
   return static_cast<std::uint8_t>(Encode(Clip(linear)) * 255 + 0.5);

@@ -19,8 +19,10 @@ struct Rgb8 {
 
 /// Linear [0, 1] to encoded [0, 1]; clips, NaN becomes 0.
 float SrgbEncode(float linear);
-/// Encoded [0, 1] to linear [0, 1].
+/// Encoded [0, 1] to linear [0, 1]; clips, NaN becomes 0.
 float SrgbDecode(float encoded);
+/// The same in double precision, for metrics.
+double SrgbDecode(double encoded);
 
 /// Linear to an 8-bit code: clipped, encoded, rounded half up; NaN becomes 0.
 std::uint8_t SrgbEncode8(float linear);

@@ -1,0 +1,158 @@
+#include "harness/commands/options.h"
+
+#include "core/render/backend.h"
+
+namespace rtb {
+namespace {
+
+constexpr int kMaxSpp = 65536;
+constexpr int kMaxThreads = 1024;
+constexpr int kMaxDepth = 64;  // The scene format's limit.
+constexpr double kMaxTime = 1e9;
+
+Result<std::string> NotEmpty(const std::string&, const std::string& text) {
+  if (text.empty())
+    return Fail(BadInput("", "found nothing, expected a value"));
+  return text;
+}
+
+/// A parser for one of a few words, which become values.
+template <class T>
+auto OneOf(std::vector<std::pair<std::string, T>> words) {
+  return [words](const std::string& place,
+                 const std::string& text) -> Result<T> {
+    std::string expected;
+    for (const auto& [word, value] : words) {
+      if (word == text) return value;
+      expected += (expected.empty() ? "" : " or ") + word;
+    }
+    return Fail(BadInput(place, "found '" + text + "', expected " + expected));
+  };
+}
+
+std::string AvailableBackends() {
+  std::string names;
+  for (const BackendInfo& backend : Backends()) {
+    if (!backend.available) continue;
+    names += (names.empty() ? "" : "|") + std::string(backend.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+CLI::Option* AddText(CLI::App& app, const OptionText& text,
+                     std::string& value) {
+  return AddParsed(app, text, value, NotEmpty);
+}
+
+CLI::Option* AddInteger(CLI::App& app, const OptionText& text, int& value,
+                        int low, int high) {
+  return AddParsed(app, text, value,
+                   [low, high](const std::string& place,
+                               const std::string& given) -> Result<int> {
+                     RTB_ASSIGN_OR_RETURN(
+                         const std::int64_t number,
+                         ParseInteger(place, given, low, high));
+                     return static_cast<int>(number);
+                   });
+}
+
+void AddSceneName(CLI::App& app, std::string& scene) {
+  AddText(app,
+          {"--scene", "NAME|FILE", "",
+           "Scene: a name that `list scenes` shows, or a file"},
+          scene);
+}
+
+void AddTime(CLI::App& app, double& time) {
+  AddParsed(app, {"--time", "SECONDS", "0", "Moment along the movement paths"},
+            time, [](const std::string& place, const std::string& given) {
+              return ParseNumber(place, given, 0, kMaxTime);
+            });
+}
+
+void AddSpp(CLI::App& app, int& spp) {
+  AddInteger(app,
+             {"--spp", "N", std::to_string(spp),
+              "Rays per sample; 1 is its center, more are stratified"},
+             spp, 1, kMaxSpp);
+}
+
+void AddSeed(CLI::App& app, std::uint64_t& seed) {
+  AddParsed(app, {"--seed", "N", "0", "Seed of all random numbers"}, seed,
+            ParseSeed);
+}
+
+void AddThreads(CLI::App& app, int& threads) {
+  AddInteger(app, {"--threads", "N", "0", "Threads at most; 0 = all cores"},
+             threads, 0, kMaxThreads);
+}
+
+void AddSceneOptions(CLI::App& app, SceneRequest& request) {
+  AddSceneName(app, request.scene);
+  AddText(app,
+          {"--backend", AvailableBackends(), request.backend,
+           "What traces the rays (see `list backends`)"},
+          request.backend);
+  AddParsed(app,
+            {"--integrator", "whitted", request.options.integrator,
+             "How light is transported"},
+            request.options.integrator,
+            OneOf<std::string>({{"whitted", "whitted"}}));
+  AddSpp(app, request.options.spp);
+  AddTime(app, request.options.time);
+  AddSeed(app, request.options.seed);
+  AddThreads(app, request.options.threads);
+  AddExposure(app, request.exposure, "the scene's");
+  AddInteger(app,
+             {"--max-depth", "N", "the scene's", "Bounces after the eye ray"},
+             request.options.max_depth, 0, kMaxDepth);
+}
+
+CLI::Option* AddGrid(CLI::App& app, GridSize& grid) {
+  return AddParsed(
+      app, {"--grid", "COLSxROWS", "120x40", "Size of the grid of cells"}, grid,
+      ParseGrid);
+}
+
+void AddDecodeOptions(CLI::App& app, DecodeOptions& options) {
+  AddParsedWith(app,
+                {"--cell", "WxH", "8x16", "Pixels of one cell when decoded"},
+                ParseCellSize, [&options](PixelSize cell) {
+                  options.cell_width = cell.width;
+                  options.cell_height = cell.height;
+                });
+  AddParsed(app,
+            {"--decode", "geometric|font", "geometric",
+             "Shapes of the glyphs: Unicode's exact areas where defined, or "
+             "the font's for all"},
+            options.masks,
+            OneOf<MaskSource>({{"geometric", MaskSource::kGeometric},
+                               {"font", MaskSource::kFont}}));
+  AddParsed(app,
+            {"--font", "FILE", "DejaVu Sans Mono",
+             "Font of glyphs without a geometric shape"},
+            options.font, NotEmpty);
+}
+
+void AddJson(CLI::App& app, std::string& json) {
+  AddText(app,
+          {"--json", "FILE|-", "",
+           "Write the record; with - standard output is JSON alone"},
+          json);
+}
+
+void AddQuiet(CLI::App& app, bool& quiet) {
+  app.add_flag("--quiet", quiet, "No notes and no progress");
+}
+
+PixelSize CellOf(const DecodeOptions& options) {
+  return {options.cell_width, options.cell_height};
+}
+
+double CellAspect(const DecodeOptions& options) {
+  return static_cast<double>(options.cell_width) / options.cell_height;
+}
+
+}  // namespace rtb

@@ -1,0 +1,67 @@
+#include <string>
+
+#include "harness/commands/command.h"
+#include "harness/commands/console.h"
+#include "harness/commands/options.h"
+#include "harness/lookup.h"
+#include "reference/povray.h"
+
+namespace rtb {
+namespace {
+
+struct ReferenceOptions {
+  std::string scene;
+  std::string renderer;
+  PixelSize size{960, 640};
+  ReferenceRequest request;
+  std::string output;
+  bool quiet = false;
+};
+
+Status WriteReference(const ReferenceOptions& options) {
+  if (options.renderer == "cycles") {
+    return Fail(Missing("--renderer", "this version cannot run Cycles",
+                        "take --renderer=povray"));
+  }
+  RTB_ASSIGN_OR_RETURN(const PreparedScene scene,
+                       LoadNamedScene(options.scene));
+  ReferenceRequest request = options.request;
+  request.width = options.size.width;
+  request.height = options.size.height;
+  request.output = options.output;
+  if (request.output.empty()) {
+    request.output = ReferencePath(ReferenceFolder(scene.file),
+                                   scene.file.stem().string(), "povray");
+  }
+  RTB_RETURN_IF_ERROR(
+      RenderPovReference(*scene.scene, request, ProgressLine(options.quiet)));
+  if (!options.quiet) PrintNote("wrote " + request.output.string());
+  return {};
+}
+
+void AddOptions(CLI::App& app, ReferenceOptions& options) {
+  AddSceneName(app, options.scene);
+  AddText(app, {"--renderer", "povray", "", "povray: POV-Ray 3.7"},
+          options.renderer)
+      ->required()
+      ->check(CLI::IsMember({"povray", "cycles"}));
+  AddParsed(app, {"--size", "WxH", "960x640", "Pixels of the reference"},
+            options.size, ParseImageSize);
+  AddSpp(app, options.request.spp);
+  AddTime(app, options.request.time);
+  AddText(app,
+          {"--output", "FILE", "reference/SCENE.povray.exr",
+           "The EXR; its provenance goes beside it"},
+          options.output);
+  AddQuiet(app, options.quiet);
+}
+
+}  // namespace
+
+void AddReference(CLI::App& program, Action& selected) {
+  AddCommand<ReferenceOptions>(program, selected, "reference",
+                               "Renders a reference with another renderer",
+                               AddOptions, WriteReference);
+}
+
+}  // namespace rtb

@@ -1,0 +1,118 @@
+#include "harness/lookup.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <system_error>
+
+#include "reference/povray.h"
+
+namespace rtb {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+bool Exists(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+/// The nearest folder above `start` that looks like the repository.
+std::optional<fs::path> Repository(fs::path start) {
+  while (true) {
+    if (IsFolder(start / "scenes") && IsFolder(start / "reference")) {
+      return start;
+    }
+    if (start == start.parent_path()) return std::nullopt;
+    start = start.parent_path();
+  }
+}
+
+std::string Names(const std::vector<NamedScene>& scenes) {
+  if (scenes.empty()) {
+    return "no scene folder was found: set RTBENCH_DATA to a folder that "
+           "holds scenes/";
+  }
+  std::string names = "scenes:";
+  for (const NamedScene& scene : scenes) names += " " + scene.name;
+  return names;
+}
+
+}  // namespace
+
+DataFolders FindDataFolders(const fs::path& executable,
+                            const std::string& environment) {
+  const fs::path folder = executable.parent_path();
+  DataFolders folders;
+  const auto add = [&folders](const fs::path& candidate) {
+    const fs::path path = candidate.lexically_normal();
+    const bool known =
+        std::find(folders.begin(), folders.end(), path) != folders.end();
+    if (!known && IsFolder(path / "scenes")) folders.push_back(path);
+  };
+  if (!environment.empty()) add(environment);
+  add(folder.parent_path() / "share" / "rtbench");
+  add(folder);
+  if (const auto repository = Repository(folder)) add(*repository);
+  return folders;
+}
+
+DataFolders FindDataFolders() {
+  std::error_code ignored;
+  const char* environment = std::getenv("RTBENCH_DATA");
+  return FindDataFolders(fs::read_symlink("/proc/self/exe", ignored),
+                         environment != nullptr ? environment : "");
+}
+
+std::vector<NamedScene> ListScenes(const DataFolders& folders) {
+  std::map<std::string, fs::path> found;
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder / "scenes", error)) {
+      const fs::path& file = entry.path();
+      if (file.extension() != ".yaml" || !Exists(file)) continue;
+      found.emplace(file.stem().string(), file);
+    }
+  }
+  std::vector<NamedScene> scenes;
+  for (const auto& [name, file] : found) scenes.push_back({name, file});
+  return scenes;
+}
+
+Result<fs::path> FindScene(const DataFolders& folders,
+                           const std::string& name_or_file) {
+  const std::vector<NamedScene> scenes = ListScenes(folders);
+  if (name_or_file.empty()) {
+    return Fail(BadInput("--scene", "no scene is given", Names(scenes)));
+  }
+  for (const NamedScene& scene : scenes) {
+    if (scene.name == name_or_file) return scene.file;
+  }
+  if (Exists(name_or_file)) return fs::path(name_or_file);
+  return Fail(BadInput("--scene",
+                       "found '" + name_or_file +
+                           "', which is neither a scene's name nor a file",
+                       Names(scenes)));
+}
+
+fs::path ReferenceFolder(const fs::path& scene_file) {
+  std::error_code ignored;
+  const fs::path folder = fs::absolute(scene_file, ignored).parent_path();
+  if (folder.filename() == "scenes") return folder.parent_path() / "reference";
+  return "reference";
+}
+
+std::optional<fs::path> FindReference(const fs::path& scene_file,
+                                      const std::string& renderer) {
+  const fs::path file = ReferencePath(ReferenceFolder(scene_file),
+                                      scene_file.stem().string(), renderer);
+  if (Exists(file)) return file;
+  return std::nullopt;
+}
+
+}  // namespace rtb
