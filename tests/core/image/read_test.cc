@@ -45,6 +45,7 @@ void Write(const fs::path& file, const OIIO::ImageSpec& spec,
            const std::vector<float>& values) {
   const auto output = OIIO::ImageOutput::create(file.string());
   ASSERT_TRUE(output) << OIIO::geterror();
+  output->threads(1);
   ASSERT_TRUE(output->open(file.string(), spec)) << output->geterror();
   if (spec.tile_width > 0) {
     ASSERT_TRUE(output->write_tiles(spec.x, spec.x + spec.width, spec.y,
