@@ -6,6 +6,12 @@
 
 namespace rtb {
 
+/// @name Glyphs that show one color alone.
+/// @{
+inline constexpr char32_t kNoBreakSpace = 0x00A0;
+inline constexpr char32_t kFullBlock = 0x2588;
+/// @}
+
 /// A glyph in two display colors. A space shows its background alone, a full
 /// block its foreground alone.
 struct Cell {

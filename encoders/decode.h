@@ -7,14 +7,9 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "encoders/cell_grid.h"
+#include "encoders/glyphs/glyph_set.h"
 
 namespace rtb {
-
-/// Where the coverage masks of glyphs come from.
-enum class MaskSource {
-  kGeometric,  ///< Exact areas where Unicode defines them, else the font.
-  kFont,       ///< The font for every glyph: many draw blocks with gaps.
-};
 
 /// How to decode.
 struct DecodeOptions {

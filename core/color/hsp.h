@@ -1,0 +1,14 @@
+/// @file
+/// HSP brightness: a perceived brightness on display-encoded values.
+#pragma once
+
+#include "core/math/vec.h"
+
+namespace rtb {
+
+/// sqrt(0.299 R^2 + 0.587 G^2 + 0.114 B^2) of sRGB-encoded values in [0, 1].
+/// Source: D. R. Finley, "HSP Color Model - Alternative to HSV (HSB) and HSL",
+/// 2006.
+double HspBrightness(const V3d& encoded);
+
+}  // namespace rtb

@@ -1,0 +1,39 @@
+#include "encoders/parameters.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/base/suggest.h"
+
+namespace rtb {
+
+const std::string& ValueOf(const EncoderParameter& parameter,
+                           const EncoderParameters& given) {
+  const auto found = given.find(parameter.name);
+  return found == given.end() ? parameter.default_value : found->second;
+}
+
+std::vector<std::string> ChoiceNames(const EncoderParameter& parameter) {
+  std::vector<std::string> names;
+  std::istringstream values(parameter.values);
+  for (std::string name; std::getline(values, name, '|');) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+Result<int> ReadChoice(const EncoderParameter& parameter,
+                       const EncoderParameters& given) {
+  const std::vector<std::string> names = ChoiceNames(parameter);
+  const std::string& value = ValueOf(parameter, given);
+  const auto found = std::find(names.begin(), names.end(), value);
+  if (found == names.end()) {
+    return Fail(
+        BadInput(parameter.name,
+                 "unknown value `" + value + "`; expected " + parameter.values,
+                 DidYouMean(value, names)));
+  }
+  return static_cast<int>(found - names.begin());
+}
+
+}  // namespace rtb

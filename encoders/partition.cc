@@ -1,0 +1,80 @@
+#include "encoders/partition.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "core/base/check.h"
+#include "core/color/hsp.h"
+
+namespace rtb {
+namespace {
+
+constexpr std::size_t kMaxSamples = 8;
+
+V3d SumOf(std::span<const V3d> samples, SampleMask mask) {
+  V3d sum(0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if ((mask >> i & 1) != 0) sum += samples[i];
+  }
+  return sum;
+}
+
+V3d MeanOf(std::span<const V3d> samples, SampleMask mask) {
+  return SumOf(samples, mask) / static_cast<double>(std::popcount(mask));
+}
+
+}  // namespace
+
+SampleMask BestPartition(std::span<const V3d> samples) {
+  RTB_CHECK_LE(samples.size(), kMaxSamples);
+  const auto count = static_cast<double>(samples.size());
+  const V3d total = SumOf(samples, AllSamples(samples.size()));
+  const SampleMask end = SampleMask{1} << (samples.size() - 1);
+  // Sums over subsets, each from the one without its lowest sample.
+  std::array<V3d, 1 << (kMaxSamples - 1)> sums;
+  sums[0] = V3d(0);
+  SampleMask best = 0;
+  double best_gain = 0;
+  for (SampleMask on = 1; on < end; ++on) {
+    const auto lowest = static_cast<std::size_t>(std::countr_zero(on));
+    sums[on] = sums[on & (on - 1)] + samples[lowest];
+    // What a split takes off the squared error around the common mean is
+    // n1 n2 / n |m1 - m2|^2 = |n s1 - n1 s|^2 / (n n1 n2), s1 the sum over
+    // side 1 and s over all: exactly 0 for samples that are alike.
+    const auto n1 = static_cast<double>(std::popcount(on));
+    const V3d lead = count * sums[on] - n1 * total;
+    const double gain = lead.length2() / (count * n1 * (count - n1));
+    if (gain > best_gain + kNoise * std::sqrt(best_gain)) {
+      best_gain = gain;
+      best = on;
+    }
+  }
+  return best;
+}
+
+SampleMask BrighterSide(Blend blend, std::span<const V3d> samples,
+                        SampleMask mask) {
+  const SampleMask all = AllSamples(samples.size());
+  if (mask == 0 || mask == all) return 0;
+  const auto brightness = [&](SampleMask side) {
+    return HspBrightness(ToEncoded(blend, MeanOf(samples, side)));
+  };
+  const SampleMask other = mask ^ all;
+  const double lead = brightness(mask) - brightness(other);
+  if (std::abs(lead) <= kNoise) return std::min(mask, other);
+  return lead > 0 ? mask : other;
+}
+
+Cell CellOfMeans(Blend blend, std::span<const V3d> samples, SampleMask on,
+                 char32_t glyph) {
+  const SampleMask off = on ^ AllSamples(samples.size());
+  RTB_CHECK(off != 0);
+  Cell cell;
+  cell.glyph = glyph;
+  cell.bg = ToRgb8(blend, MeanOf(samples, off));
+  if (on != 0) cell.fg = ToRgb8(blend, MeanOf(samples, on));
+  return cell;
+}
+
+}  // namespace rtb

@@ -1,0 +1,45 @@
+/// @file
+/// What the tests of encoders share.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "encoders/cell_grid.h"
+#include "encoders/registry.h"
+
+namespace rtb {
+
+/// Fragments for a plan with codes[cell][sample] as gray 8-bit codes.
+Fragments GrayFragments(const SamplePlan& plan,
+                        const std::vector<std::vector<int>>& codes);
+
+/// A one-cell grid's cell for colors given in the plan's order.
+Cell EncodeOne(const std::string& spec, const std::vector<Rgb8>& colors);
+
+/// The same for gray codes.
+Cell EncodeOneGray(const std::string& spec, const std::vector<int>& codes);
+
+/// The colors of a picture drawn in characters, each named in `legend`.
+std::vector<Rgb8> Drawn(const std::string& picture,
+                        const std::map<char, Rgb8>& legend);
+
+/// The glyphs of a grid as UTF-8 lines joined by LF.
+std::string GlyphText(const CellGrid& grid);
+
+/// Makes an encoder that must exist.
+std::unique_ptr<Encoder> Make(const std::string& spec);
+
+/// Linear colors, some beyond [0, 1], that depend on `seed` alone.
+Fragments RandomFragments(const SamplePlan& plan, std::uint64_t seed);
+
+/// Reads a file that must exist.
+std::string ReadTestFile(const std::string& path_below_tests);
+
+/// For readable failures.
+void PrintTo(const Cell& cell, std::ostream* out);
+
+}  // namespace rtb
