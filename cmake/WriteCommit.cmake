@@ -5,6 +5,10 @@ cmake_minimum_required(VERSION 3.25)
 # it. Without git, or outside a repository of its own, the commit is unknown.
 
 set(ENV{GIT_OPTIONAL_LOCKS} 0)
+# A hook's variables would lead git elsewhere.
+unset(ENV{GIT_DIR})
+unset(ENV{GIT_INDEX_FILE})
+unset(ENV{GIT_WORK_TREE})
 
 function(ask variable)
   set(${variable} "" PARENT_SCOPE)

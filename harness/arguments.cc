@@ -66,8 +66,8 @@ Result<std::uint64_t> ParseSeed(const std::string& place,
                                 const std::string& text) {
   const auto value = Whole<std::uint64_t>(text);
   if (!value) {
-    return Fail(Expected(place, text,
-                         "a whole number from 0 to 18446744073709551615"));
+    return Fail(
+        Expected(place, text, "a whole number from 0 to 18446744073709551615"));
   }
   return *value;
 }
@@ -93,9 +93,9 @@ Result<GridSize> ParseGrid(const std::string& place, const std::string& text) {
 
 Result<PixelSize> ParseImageSize(const std::string& place,
                                  const std::string& text) {
-  const std::string expected =
-      "WIDTHxHEIGHT such as 960x640" + SidesUpTo(kMaxImageSide) + ", at most " +
-      std::to_string(kMaxSamples) + " pixels";
+  const std::string expected = "WIDTHxHEIGHT such as 960x640" +
+                               SidesUpTo(kMaxImageSide) + ", at most " +
+                               std::to_string(kMaxSamples) + " pixels";
   RTB_ASSIGN_OR_RETURN(const PixelSize size,
                        ParsePair(place, text, kMaxImageSide, expected));
   if (std::int64_t{size.width} * size.height > kMaxSamples) {
@@ -127,12 +127,11 @@ Result<PixelSize> RasterSize(GridSize grid, PixelSize cell) {
   const std::int64_t height = std::int64_t{grid.rows} * cell.height;
   if (width > kMaxRasterPixels || height > kMaxRasterPixels ||
       width * height > kMaxRasterPixels) {
-    return Fail(BadInput(
-        "--grid",
-        "decodes to " + std::to_string(width) + "x" + std::to_string(height) +
-            " pixels, at most " + std::to_string(kMaxRasterPixels) +
-            " are possible",
-        "take a smaller grid or a smaller --cell"));
+    return Fail(BadInput("--grid",
+                         "decodes to " + std::to_string(width) + "x" +
+                             std::to_string(height) + " pixels, at most " +
+                             std::to_string(kMaxRasterPixels) + " are possible",
+                         "take a smaller grid or a smaller --cell"));
   }
   return PixelSize{static_cast<int>(width), static_cast<int>(height)};
 }

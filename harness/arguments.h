@@ -8,15 +8,9 @@
 
 #include "core/base/result.h"
 #include "core/render/sample_plan.h"
+#include "harness/pixel_size.h"
 
 namespace rtb {
-
-/// Width x height in pixels.
-struct PixelSize {
-  int width = 0;
-  int height = 0;
-  bool operator==(const PixelSize&) const = default;
-};
 
 /// @name Limits that keep a typing error from filling the memory.
 /// @{

@@ -22,8 +22,8 @@ Rgb Sample(const Image& image, const ImageMapping& map, const SamplePlan& plan,
            int cell, int sample) {
   const V2f& at = plan.position(cell, sample);
   const double u = cell % plan.grid.columns + static_cast<double>(at.x);
-  const double v = static_cast<double>(cell / plan.grid.columns) +
-                   static_cast<double>(at.y);
+  const double v =
+      static_cast<double>(cell / plan.grid.columns) + static_cast<double>(at.y);
   const double half_x = 0.5 * static_cast<double>(plan.footprint.x);
   const double half_y = 0.5 * static_cast<double>(plan.footprint.y);
   return BoxMean(image, map.left + (u - half_x) * map.pitch_x,

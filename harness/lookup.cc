@@ -73,8 +73,7 @@ std::vector<NamedScene> ListScenes(const DataFolders& folders) {
   std::map<std::string, fs::path> found;
   for (const fs::path& folder : folders) {
     std::error_code error;
-    for (const auto& entry :
-         fs::directory_iterator(folder / "scenes", error)) {
+    for (const auto& entry : fs::directory_iterator(folder / "scenes", error)) {
       const fs::path& file = entry.path();
       if (file.extension() != ".yaml" || !Exists(file)) continue;
       found.emplace(file.stem().string(), file);

@@ -26,14 +26,11 @@ Result<PreparedScene> PrepareScene(const SceneRequest& request) {
   return prepared;
 }
 
-Result<Image> RenderImage(const PreparedScene& scene, PixelSize size, int spp,
-                          double time) {
-  RenderOptions options = scene.options;
-  options.spp = spp;
-  options.time = time;
+Result<Image> RenderImage(Backend& backend, PixelSize size,
+                          const RenderOptions& options) {
   RTB_ASSIGN_OR_RETURN(
       const Fragments fragments,
-      scene.backend->Render(PixelPlan(size.width, size.height), options));
+      backend.Render(PixelPlan(size.width, size.height), options));
   Image image(size.width, size.height);
   std::copy(fragments.values.begin(), fragments.values.end(),
             image.pixels().begin());

@@ -42,9 +42,8 @@ Result<PreparedScene> PrepareScene(const SceneRequest& request);
 /// Loads a scene without making it ready to render.
 Result<PreparedScene> LoadNamedScene(const std::string& name_or_file);
 
-/// Renders an image at `time` with the scene's other options: linear, not
-/// exposed.
-Result<Image> RenderImage(const PreparedScene& scene, PixelSize size, int spp,
-                          double time);
+/// Renders one sample per pixel: linear, not exposed.
+Result<Image> RenderImage(Backend& backend, PixelSize size,
+                          const RenderOptions& options);
 
 }  // namespace rtb

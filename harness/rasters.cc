@@ -45,21 +45,24 @@ Result<Image> ReadDisplayed(const std::filesystem::path& file,
   return DisplayEncoded(linear, HoldsLinearLight(file) ? exposure : 0, true);
 }
 
+Status CheckAspects(PixelSize reference, PixelSize test,
+                    const std::string& place) {
+  const auto aspect = [](PixelSize size) {
+    return static_cast<double>(size.width) / size.height;
+  };
+  const double ratio = aspect(reference) / aspect(test);
+  if (std::abs(ratio - 1) <= kAspectTolerance) return {};
+  return Fail(BadInput(place, "found " + Text(reference) +
+                                  " pixels to compare with " + Text(test) +
+                                  ", expected the same aspect within 0.1 %"));
+}
+
 Result<RasterPair> MatchRasters(const Image& reference, const Image& test,
                                 const std::string& place) {
   RasterPair pair;
   pair.reference_size = SizeOf(reference);
   pair.test_size = SizeOf(test);
-  const auto aspect = [](PixelSize size) {
-    return static_cast<double>(size.width) / size.height;
-  };
-  const double ratio = aspect(pair.reference_size) / aspect(pair.test_size);
-  if (std::abs(ratio - 1) > kAspectTolerance) {
-    return Fail(BadInput(
-        place, "found " + Text(pair.reference_size) +
-                   " pixels to compare with " + Text(pair.test_size) +
-                   ", expected the same aspect within 0.1 %"));
-  }
+  RTB_RETURN_IF_ERROR(CheckAspects(pair.reference_size, pair.test_size, place));
   const PixelSize size =
       std::min(pair.reference_size, pair.test_size,
                [](PixelSize a, PixelSize b) { return a.width < b.width; });

@@ -17,6 +17,11 @@ namespace rtb {
 /// @param exposure in stops.
 Result<Image> ReadDisplayed(const std::filesystem::path& file, double exposure);
 
+/// Success when two sizes show the same picture: aspects within 0.1 %.
+/// @param place names the reference in errors.
+Status CheckAspects(PixelSize reference, PixelSize test,
+                    const std::string& place);
+
 /// Two rasters of one size, sRGB-encoded values in [0, 1].
 struct RasterPair {
   Image reference;

@@ -8,12 +8,6 @@
 namespace rtb {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double Milliseconds(Clock::duration duration) {
-  return std::chrono::duration<double, std::milli>(duration).count();
-}
-
 /// CPU time of the process so far, in milliseconds.
 double CpuMilliseconds() {
   timespec now{};
@@ -22,23 +16,40 @@ double CpuMilliseconds() {
          static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-/// Passes queries on and adds up the time that they take.
+/// Runs from its construction on.
+class Stopwatch {
+ public:
+  Cost Read() const {
+    const auto wall = Clock::now() - wall_start_;
+    return {std::chrono::duration<double, std::milli>(wall).count(),
+            CpuMilliseconds() - cpu_start_};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point wall_start_ = Clock::now();
+  double cpu_start_ = CpuMilliseconds();
+};
+
+/// Passes queries on and adds up what they take.
 class TimedSource : public FragmentSource {
  public:
   explicit TimedSource(FragmentSource& source) : source_(source) {}
 
   Result<Fragments> Query(const SamplePlan& plan) override {
-    const auto start = Clock::now();
+    const Stopwatch stopwatch;
     auto fragments = source_.Query(plan);
-    total_ += Clock::now() - start;
+    const Cost cost = stopwatch.Read();
+    total_.wall_ms += cost.wall_ms;
+    total_.cpu_ms += cost.cpu_ms;
     return fragments;
   }
 
-  Clock::duration total() const { return total_; }
+  Cost total() const { return total_; }
 
  private:
   FragmentSource& source_;
-  Clock::duration total_{};
+  Cost total_;
 };
 
 }  // namespace
@@ -51,14 +62,13 @@ Result<TimedEncoding> RunEncoder(const Encoder& encoder, FragmentSource& source,
   RTB_RETURN_IF_ERROR(CheckSampleCount("--grid", grid, one.samples_per_cell));
   TimedSource timed_source(source);
   TimedEncoding timed;
-  const double cpu_start = CpuMilliseconds();
-  const auto start = Clock::now();
+  const Stopwatch stopwatch;
   RTB_ASSIGN_OR_RETURN(timed.encoding,
                        encoder.Run(timed_source, grid, cell_aspect, context));
-  const auto total = Clock::now() - start;
-  timed.cpu_ms = CpuMilliseconds() - cpu_start;
-  timed.render_ms = Milliseconds(timed_source.total());
-  timed.encode_ms = Milliseconds(total - timed_source.total());
+  const Cost total = stopwatch.Read();
+  timed.render = timed_source.total();
+  timed.encode = {total.wall_ms - timed.render.wall_ms,
+                  total.cpu_ms - timed.render.cpu_ms};
   return timed;
 }
 

@@ -6,12 +6,17 @@
 
 namespace rtb {
 
-/// An encoding and what it cost, in milliseconds.
+/// What a piece of work took, in milliseconds.
+struct Cost {
+  double wall_ms = 0;
+  double cpu_ms = 0;  ///< Of all threads of the process.
+};
+
+/// An encoding and what it cost.
 struct TimedEncoding {
   Encoding encoding;
-  double render_ms = 0;  ///< Wall time inside the source.
-  double encode_ms = 0;  ///< Wall time of the rest.
-  double cpu_ms = 0;     ///< CPU time of all threads, for both.
+  Cost render;  ///< Inside the source.
+  Cost encode;  ///< All the rest.
 };
 
 /// Plans, asks the source and encodes.

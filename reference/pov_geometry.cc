@@ -10,7 +10,7 @@ namespace rtb {
 namespace {
 
 constexpr double kSmallestExtent = 128;
-constexpr double kLargestExtent = 1e4;
+constexpr double kLargestExtent = 2048;
 
 /// Writes primitives; holds what all of them need.
 class GeometryWriter {

@@ -13,8 +13,8 @@ namespace rtb {
 
 /// The power of two by which the exported world is larger than the scene's.
 /// POV-Ray's tolerances are absolute (1e-3 for shadows, nothing is seen past
-/// 1e7), so a small scene is made 128 to 256 units large, a huge one less than
-/// 1e4. The extent is that of the finite primitives, the camera, and the
+/// 1e7), so a small scene is made 128 to 256 units large, a large one at most
+/// 2048. The extent is that of the finite primitives, the camera, and the
 /// camera's nearest points on the planes.
 double PovScale(const FlatScene& flat, const V3d& camera);
 

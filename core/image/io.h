@@ -27,6 +27,9 @@ enum class ExrType { kHalf, kFloat };
 Status WriteExr(const std::filesystem::path& file, const Image& linear,
                 ExrType type);
 
+/// The bytes of an 8-bit PNG of sRGB-encoded values in [0, 1].
+Result<std::string> EncodePng(const Image& encoded);
+
 /// Writes sRGB-encoded values in [0, 1] as 8-bit PNG.
 Status WritePng(const std::filesystem::path& file, const Image& encoded);
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <string_view>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/file.h"
@@ -16,10 +17,11 @@ namespace {
 
 /// The bytes of a file in the format of the extension `name` ends in.
 /// @param pixels RGB triples of the component type `memory`.
-Result<std::vector<unsigned char>> Encode(const std::string& name,
-                                          const OIIO::ImageSpec& spec,
-                                          OIIO::TypeDesc memory,
-                                          const void* pixels) try {
+Result<std::string> Encode(const std::string& name, const OIIO::ImageSpec& spec,
+                           OIIO::TypeDesc memory, const void* pixels) try {
+  if (spec.width < 1 || spec.height < 1) {
+    return Fail(BadInput(name, "an image without pixels has no file"));
+  }
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput proxy(bytes);
   const auto output = OIIO::ImageOutput::create(name, &proxy);
@@ -27,25 +29,17 @@ Result<std::vector<unsigned char>> Encode(const std::string& name,
   const bool written = output->open(name, spec) &&
                        output->write_image(memory, pixels) && output->close();
   if (!written) return Fail(Failure(name, output->geterror()));
-  return bytes;
+  return std::string(bytes.begin(), bytes.end());
 } catch (const std::exception& error) {
   return Fail(Failure(name, error.what()));
 }
 
+/// Writes what Encode made; its errors are about the file.
 Status WriteEncoded(const std::filesystem::path& file,
-                    const std::string& format_name, const OIIO::ImageSpec& spec,
-                    OIIO::TypeDesc memory, const void* pixels) {
-  if (spec.width < 1 || spec.height < 1) {
-    return Fail(BadInput(file.string(), "an image without pixels has no file"));
-  }
-  auto bytes = Encode(format_name, spec, memory, pixels);
-  if (!bytes) {
-    bytes.error().place = file.string();
-    return Fail(std::move(bytes.error()));
-  }
-  return WriteFileAtomically(
-      file, std::string_view(reinterpret_cast<const char*>(bytes->data()),
-                             bytes->size()));
+                    Result<std::string> bytes) {
+  if (bytes) return WriteFileAtomically(file, *bytes);
+  bytes.error().place = file.string();
+  return Fail(std::move(bytes.error()));
 }
 
 }  // namespace
@@ -56,12 +50,14 @@ Status WriteExr(const std::filesystem::path& file, const Image& linear,
       linear.width(), linear.height(), 3,
       type == ExrType::kHalf ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
   spec.attribute("compression", "zip");
+  // Without it the time of writing goes in: no two files would be the same.
+  spec.attribute("DateTime", "");
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
-  return WriteEncoded(file, "image.exr", spec, OIIO::TypeDesc::FLOAT,
-                      linear.pixels().data());
+  return WriteEncoded(file, Encode("image.exr", spec, OIIO::TypeDesc::FLOAT,
+                                   linear.pixels().data()));
 }
 
-Status WritePng(const std::filesystem::path& file, const Image& encoded) {
+Result<std::string> EncodePng(const Image& encoded) {
   std::vector<Rgb8> codes;
   codes.reserve(encoded.pixels().size());
   for (const Rgb& color : encoded.pixels()) {
@@ -70,8 +66,11 @@ Status WritePng(const std::filesystem::path& file, const Image& encoded) {
   static_assert(sizeof(Rgb8) == 3);
   const OIIO::ImageSpec spec(encoded.width(), encoded.height(), 3,
                              OIIO::TypeDesc::UINT8);
-  return WriteEncoded(file, "image.png", spec, OIIO::TypeDesc::UINT8,
-                      codes.data());
+  return Encode("image.png", spec, OIIO::TypeDesc::UINT8, codes.data());
+}
+
+Status WritePng(const std::filesystem::path& file, const Image& encoded) {
+  return WriteEncoded(file, EncodePng(encoded));
 }
 
 }  // namespace rtb

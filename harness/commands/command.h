@@ -28,8 +28,8 @@ void AddList(CLI::App& program, Action& selected);
 /// binds the options; the memory lives as long as the parser.
 template <class T>
 void AddCommand(CLI::App& program, Action& selected, const char* name,
-                const char* description,
-                void (*add_options)(CLI::App&, T&), Status (*run)(const T&)) {
+                const char* description, void (*add_options)(CLI::App&, T&),
+                Status (*run)(const T&)) {
   auto options = std::make_shared<T>();
   CLI::App& command = *program.add_subcommand(name, description);
   add_options(command, *options);

@@ -55,12 +55,9 @@ Status WriteOutput(const std::string& target, std::string_view bytes) {
   return Fail(Failure("standard output", std::strerror(errno)));
 }
 
-Status WriteJson(const std::string& target,
-                 const nlohmann::ordered_json& json) {
-  using nlohmann::ordered_json;
+Status WriteJson(const std::string& target, const Json& json) {
   return WriteOutput(
-      target,
-      json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+      target, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void WriteToStderr(std::string_view bytes) {
@@ -98,8 +95,8 @@ std::function<void(double, const std::string&)> ProgressLine(bool quiet) {
     if (step == last) return;
     last = step;
     const int percent = static_cast<int>(share * 100);
-    const std::string text = Printable(what) + " " + std::to_string(percent) +
-                             " %";
+    const std::string text =
+        Printable(what) + " " + std::to_string(percent) + " %";
     if (in_place) {
       WriteToStderr("\r\033[K" + text + (percent == 100 ? "\n" : ""));
     } else {

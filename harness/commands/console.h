@@ -4,11 +4,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
+#include "harness/results/run_record_json.h"
 
 namespace rtb {
 
@@ -28,7 +28,7 @@ void PrintNote(const std::string& text);
 Status WriteOutput(const std::string& target, std::string_view bytes);
 
 /// JSON, indented by two, with a line's end; broken UTF-8 is replaced.
-Status WriteJson(const std::string& target, const nlohmann::ordered_json& json);
+Status WriteJson(const std::string& target, const Json& json);
 
 /// Bytes to standard error, as they are: for a preview beside JSON.
 void WriteToStderr(std::string_view bytes);

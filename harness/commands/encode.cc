@@ -45,10 +45,9 @@ Result<CellGrid> EncodeFrom(FragmentSource& source, const Encoder& encoder,
   EncodeContext context;
   context.seed = options.scene.options.seed;
   context.threads = options.scene.options.threads;
-  RTB_ASSIGN_OR_RETURN(
-      TimedEncoding run,
-      RunEncoder(encoder, source, options.grid,
-                 CellAspect(options.decode), context));
+  RTB_ASSIGN_OR_RETURN(TimedEncoding run,
+                       RunEncoder(encoder, source, options.grid,
+                                  CellAspect(options.decode), context));
   return std::move(run.encoding.grid);
 }
 
@@ -67,12 +66,13 @@ Result<CellGrid> EncodeInput(const EncodeOptions& options) {
 
 Status WritePicture(const CellGrid& grid, const EncodeOptions& options) {
   if (options.output == "-" && OutputIsTerminal()) {
-    return Fail(BadInput("--output", "a PNG does not go to a terminal",
-                         "give a file"));
+    return Fail(
+        BadInput("--output", "a PNG does not go to a terminal", "give a file"));
   }
   RTB_RETURN_IF_ERROR(RasterSize(grid.size, CellOf(options.decode)));
   RTB_ASSIGN_OR_RETURN(const Image image, Decode(grid, options.decode));
-  return WriteImageOutput(options.output, image);
+  RTB_ASSIGN_OR_RETURN(const std::string png, EncodePng(image));
+  return WriteOutput(options.output, png);
 }
 
 std::string FormatOf(const EncodeOptions& options) {
@@ -96,9 +96,8 @@ Status Encode(const EncodeOptions& options) {
     return WriteOutput(options.output, EmitJson(grid));
   }
   if (format == "svg") {
-    return WriteOutput(options.output,
-                       EmitSvg(grid, options.decode.cell_width,
-                               options.decode.cell_height));
+    return WriteOutput(options.output, EmitSvg(grid, options.decode.cell_width,
+                                               options.decode.cell_height));
   }
   return WriteOutput(options.output, EmitAnsi(grid));
 }
@@ -108,8 +107,7 @@ void AddOptions(CLI::App& app, EncodeOptions& options) {
           options.input);
   AddSceneOptions(app, options.scene);
   AddText(app,
-          {"--encoder", "SPEC", "",
-           "name[:key=value...]; see `list encoders`"},
+          {"--encoder", "SPEC", "", "name[:key=value...]; see `list encoders`"},
           options.encoder)
       ->required();
   AddGrid(app, options.grid);

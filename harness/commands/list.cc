@@ -9,11 +9,10 @@
 #include "harness/commands/console.h"
 #include "harness/lookup.h"
 #include "harness/metrics/metric.h"
+#include "harness/results/run_record_json.h"
 
 namespace rtb {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ListOptions {
   std::string what;
@@ -45,8 +44,8 @@ Json Scenes() {
     const auto scene = LoadScene(named.file);
     list.push_back({{"name", named.name},
                     {"file", named.file.string()},
-                    {"description", scene ? scene->description
-                                          : scene.error().ToString()}});
+                    {"description",
+                     scene ? scene->description : scene.error().ToString()}});
   }
   return list;
 }
@@ -85,8 +84,7 @@ Json Glyphs() {
 /// A value of an entry as a word of text.
 std::string Word(const Json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "available" : "missing";
-  return value.is_string() ? Printable(value.get<std::string>())
-                           : value.dump();
+  return value.is_string() ? Printable(value.get<std::string>()) : value.dump();
 }
 
 /// One entry a line, its description last; an encoder's parameters below it.
@@ -142,9 +140,9 @@ void AddOptions(CLI::App& app, ListOptions& options) {
 }  // namespace
 
 void AddList(CLI::App& program, Action& selected) {
-  AddCommand<ListOptions>(
-      program, selected, "list",
-      "Lists encoders, scenes, backends, metrics or glyphs", AddOptions, List);
+  AddCommand<ListOptions>(program, selected, "list",
+                          "Lists encoders, scenes, backends, metrics or glyphs",
+                          AddOptions, List);
 }
 
 }  // namespace rtb

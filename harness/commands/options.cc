@@ -11,7 +11,8 @@ constexpr int kMaxDepth = 64;  // The scene format's limit.
 constexpr double kMaxTime = 1e9;
 
 Result<std::string> NotEmpty(const std::string&, const std::string& text) {
-  if (text.empty()) return Fail(BadInput("", "found nothing, expected a value"));
+  if (text.empty())
+    return Fail(BadInput("", "found nothing, expected a value"));
   return text;
 }
 
@@ -25,8 +26,7 @@ auto OneOf(std::vector<std::pair<std::string, T>> words) {
       if (word == text) return value;
       expected += (expected.empty() ? "" : " or ") + word;
     }
-    return Fail(
-        BadInput(place, "found '" + text + "', expected " + expected));
+    return Fail(BadInput(place, "found '" + text + "', expected " + expected));
   };
 }
 
@@ -48,14 +48,14 @@ CLI::Option* AddText(CLI::App& app, const OptionText& text,
 
 CLI::Option* AddInteger(CLI::App& app, const OptionText& text, int& value,
                         int low, int high) {
-  return AddParsed(
-      app, text, value,
-      [low, high](const std::string& place,
-                  const std::string& given) -> Result<int> {
-        RTB_ASSIGN_OR_RETURN(const std::int64_t number,
-                             ParseInteger(place, given, low, high));
-        return static_cast<int>(number);
-      });
+  return AddParsed(app, text, value,
+                   [low, high](const std::string& place,
+                               const std::string& given) -> Result<int> {
+                     RTB_ASSIGN_OR_RETURN(
+                         const std::int64_t number,
+                         ParseInteger(place, given, low, high));
+                     return static_cast<int>(number);
+                   });
 }
 
 void AddSceneName(CLI::App& app, std::string& scene) {
@@ -66,8 +66,7 @@ void AddSceneName(CLI::App& app, std::string& scene) {
 }
 
 void AddTime(CLI::App& app, double& time) {
-  AddParsed(app,
-            {"--time", "SECONDS", "0", "Moment along the movement paths"},
+  AddParsed(app, {"--time", "SECONDS", "0", "Moment along the movement paths"},
             time, [](const std::string& place, const std::string& given) {
               return ParseNumber(place, given, 0, kMaxTime);
             });
@@ -113,8 +112,8 @@ void AddSceneOptions(CLI::App& app, SceneRequest& request) {
 
 CLI::Option* AddGrid(CLI::App& app, GridSize& grid) {
   return AddParsed(
-      app, {"--grid", "COLSxROWS", "120x40", "Size of the grid of cells"},
-      grid, ParseGrid);
+      app, {"--grid", "COLSxROWS", "120x40", "Size of the grid of cells"}, grid,
+      ParseGrid);
 }
 
 void AddDecodeOptions(CLI::App& app, DecodeOptions& options) {

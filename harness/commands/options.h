@@ -48,8 +48,7 @@ CLI::Option* AddParsed(CLI::App& app, const OptionText& text, T& value,
 }
 
 /// A text option that may not be empty.
-CLI::Option* AddText(CLI::App& app, const OptionText& text,
-                     std::string& value);
+CLI::Option* AddText(CLI::App& app, const OptionText& text, std::string& value);
 
 /// A whole number in [low, high].
 CLI::Option* AddInteger(CLI::App& app, const OptionText& text, int& value,

@@ -81,8 +81,9 @@ Result<Action> Parse(CLI::App& program, Action& selected,
 }
 
 Status Run(int argc, char** argv) {
-  CLI::App program("Draws ray-traced scenes with Unicode cells, scores and "
-                   "times how");
+  CLI::App program(
+      "Draws ray-traced scenes with Unicode cells, scores and "
+      "times how");
   Action selected;
   AddCommands(program, selected);
   RTB_ASSIGN_OR_RETURN(std::vector<std::string> args,

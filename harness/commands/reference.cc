@@ -1,11 +1,10 @@
-#include "reference/povray.h"
-
 #include <string>
 
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
 #include "harness/lookup.h"
+#include "reference/povray.h"
 
 namespace rtb {
 namespace {
@@ -34,8 +33,8 @@ Status WriteReference(const ReferenceOptions& options) {
     request.output = ReferencePath(ReferenceFolder(scene.file),
                                    scene.file.stem().string(), "povray");
   }
-  RTB_RETURN_IF_ERROR(RenderPovReference(*scene.scene, request,
-                                         ProgressLine(options.quiet)));
+  RTB_RETURN_IF_ERROR(
+      RenderPovReference(*scene.scene, request, ProgressLine(options.quiet)));
   if (!options.quiet) PrintNote("wrote " + request.output.string());
   return {};
 }

@@ -33,8 +33,10 @@ std::filesystem::path FrameFile(const std::filesystem::path& output,
 
 Status RenderTo(const std::filesystem::path& file, const PreparedScene& scene,
                 PixelSize size, double time) {
+  RenderOptions options = scene.options;
+  options.time = time;
   RTB_ASSIGN_OR_RETURN(const Image image,
-                       RenderImage(scene, size, scene.options.spp, time));
+                       RenderImage(*scene.backend, size, options));
   return WriteRender(file, image, scene.exposure);
 }
 
@@ -51,8 +53,7 @@ Status CheckExtension(const std::filesystem::path& output) {
 
 Status Render(const RenderCommandOptions& options) {
   RTB_RETURN_IF_ERROR(CheckExtension(options.output));
-  RTB_ASSIGN_OR_RETURN(const PreparedScene scene,
-                       PrepareScene(options.scene));
+  RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(options.scene));
   const double start = scene.options.time;
   if (options.frames == 0) {
     return RenderTo(options.output, scene, options.size, start);

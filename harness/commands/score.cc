@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "core/base/file.h"
 #include "encoders/parse/parse.h"
@@ -7,13 +8,12 @@
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
+#include "harness/metrics/metric.h"
 #include "harness/rasters.h"
-#include "harness/scoring.h"
+#include "harness/results/run_record_json.h"
 
 namespace rtb {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ScoreOptions {
   std::string reference;
@@ -24,6 +24,7 @@ struct ScoreOptions {
   GridSize grid;  ///< 0x0 = not given.
   double exposure = 0;
   DecodeOptions decode;
+  int threads = 0;
   std::string json;
 };
 
@@ -90,7 +91,9 @@ Status ScoreAgainstReference(const ScoreOptions& options) {
                        ReadDisplayed(options.reference, options.exposure));
   RTB_ASSIGN_OR_RETURN(const RasterPair pair,
                        MatchRasters(reference, test, "--reference"));
-  return Report("metrics", Score(pair), options);
+  RTB_ASSIGN_OR_RETURN(const std::vector<MetricValue> scores,
+                       Score(pair.reference, pair.test, options.threads));
+  return Report("metrics", MetricsToJson(scores), options);
 }
 
 Status CompareGrids(const ScoreOptions& options) {
@@ -127,8 +130,7 @@ void AddOptions(CLI::App& app, ScoreOptions& options) {
   AddText(app, {"--image", "IMAGE", "", "Test: an image"}, options.image);
   AddText(app, {"--ansi", "FILE|-", "", "Test: ANSI text; needs --grid"},
           options.ansi);
-  AddText(app, {"--cells", "FILE|-", "", "Test: cells as JSON"},
-          options.cells);
+  AddText(app, {"--cells", "FILE|-", "", "Test: cells as JSON"}, options.cells);
   AddText(app,
           {"--against", "FILE|-", "",
            "Cells as JSON that --cells is compared with, cell by cell"},
@@ -136,6 +138,7 @@ void AddOptions(CLI::App& app, ScoreOptions& options) {
   AddGrid(app, options.grid)->default_str("");
   AddExposure(app, options.exposure, "0");
   AddDecodeOptions(app, options.decode);
+  AddThreads(app, options.threads);
   AddJson(app, options.json);
 }
 

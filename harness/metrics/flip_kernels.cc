@@ -8,7 +8,7 @@
 namespace rtb {
 namespace {
 
-/// a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees: table 1 of the paper,
+/// a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees: the constants of the paper,
 /// after Fourier transform.
 struct Sensitivity {
   double a, b;

@@ -8,7 +8,7 @@
 
 namespace rtb {
 
-/// The contrast sensitivity filters of section 4.1.1, sampled on the pixel
+/// The contrast sensitivity filters of section 4.1, sampled on the pixel
 /// grid. A filter with two Gaussians is not separable, but each Gaussian is:
 /// blue_yellow = share[0] G0 x G0 + share[1] G1 x G1, which sums to 1.
 struct FlipSensitivity {

@@ -4,46 +4,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/color/cielab.h"
 #include "harness/metrics/derived.h"
+#include "harness/metrics/flip_color.h"
 #include "harness/metrics/flip_kernels.h"
 #include "harness/metrics/rows.h"
 
 namespace rtb {
 namespace {
 
-// Section and equation numbers are those of Andersson et al. 2020.
-constexpr double kColorExponent = 0.7;    // q_c, section 4.1.4
-constexpr double kColorKnee = 0.4;        // p_c, section 4.1.4
-constexpr double kColorKneeError = 0.95;  // p_t, section 4.1.4
-
-/// Linearized CIELAB: Y_y in [0, 100], C_x, C_z. Section 4.1.1.
-V3d LinearToYcxcz(const V3d& linear) {
-  const V3d xyz = LinearToXyz(linear);
-  const double x = xyz.x / kWhiteX;
-  const double y = xyz.y / kWhiteY;
-  const double z = xyz.z / kWhiteZ;
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
-
-V3d YcxczToLinear(const V3d& ycxcz) {
-  const double y = (ycxcz.x + 16) / 116;
-  const double x = y + ycxcz.y / 500;
-  const double z = y - ycxcz.z / 200;
-  return XyzToLinear({x * kWhiteX, y * kWhiteY, z * kWhiteZ});
-}
-
-/// CIELAB with the Hunt effect: chroma fades with lightness. Equation (3).
-V3d HuntLab(const V3d& linear) {
-  const V3d lab = LinearToLab(linear);
-  return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
-}
-
-/// City block in lightness, Euclidean in chroma. Equation (4).
-double HyAb(const V3d& a, const V3d& b) {
-  const V3d d = a - b;
-  return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
-}
+// Sections are those of Andersson et al. 2020.
 
 V3d ColorAt(const ColorPlanes& planes, int x, int y) {
   return {planes[0].row(y)[x], planes[1].row(y)[x], planes[2].row(y)[x]};
@@ -62,19 +31,6 @@ void ConvertPixels(ColorPlanes& planes, int threads, const Convert& convert) {
   });
 }
 
-/// out(x, y) = combine(a(x, y), b(x, y)).
-template <class Combine>
-Plane CombinePlanes(const Plane& a, const Plane& b, int threads,
-                    const Combine& combine) {
-  Plane out(a.width(), a.height());
-  ForRows(a.height(), threads, [&](int y) {
-    for (int x = 0; x < a.width(); ++x) {
-      out.row(y)[x] = combine(a.row(y)[x], b.row(y)[x]);
-    }
-  });
-  return out;
-}
-
 const OfBoth<ColorPlanes>& YcxczPlanes(const MetricInput& input) {
   return input.Once<OfBoth<ColorPlanes>>("ycxcz", [&] {
     OfBoth<ColorPlanes> out = LinearPlanes(input);
@@ -85,7 +41,7 @@ const OfBoth<ColorPlanes>& YcxczPlanes(const MetricInput& input) {
 }
 
 /// What an observer sees of an image: filtered by contrast sensitivity, in
-/// Hunt-adjusted CIELAB. Sections 4.1.1 and 4.1.2.
+/// Hunt-adjusted CIELAB. Section 4.1.
 ColorPlanes Perceived(const ColorPlanes& ycxcz, const FlipSensitivity& filters,
                       int threads) {
   ColorPlanes out = {
@@ -105,26 +61,6 @@ ColorPlanes Perceived(const ColorPlanes& ycxcz, const FlipSensitivity& filters,
   });
   return out;
 }
-
-/// The exponent and the compression of section 4.1.4, which leave most of
-/// [0, 1] to the smaller errors.
-class ErrorRange {
- public:
-  ErrorRange()
-      : max_(std::pow(HyAb(HuntLab({0, 1, 0}), HuntLab({0, 0, 1})),
-                      kColorExponent)) {}
-
-  double operator()(double distance) const {
-    const double error = std::pow(distance, kColorExponent);
-    const double knee = kColorKnee * max_;
-    if (error < knee) return error * kColorKneeError / knee;
-    return kColorKneeError +
-           (error - knee) / (max_ - knee) * (1 - kColorKneeError);
-  }
-
- private:
-  double max_;
-};
 
 /// Strength of edges and points at each pixel. Section 4.2.
 struct Features {
@@ -147,8 +83,8 @@ Features DetectFeatures(const Plane& achromatic, const FlipFeatures& filters,
                     FilterColumns(smooth, filters.point, threads))};
 }
 
-/// Equation (6), q_f = 0.5. The detectors ran on Y_y, whose range is 116 times
-/// that of the luminance which the equation means.
+/// The feature difference of section 4.2, q_f = 0.5. The detectors ran on Y_y,
+/// whose range is 116 times that of the luminance which the paper means.
 double FeatureError(double edge, double point) {
   return std::sqrt(std::max(edge, point) / (116 * std::numbers::sqrt2));
 }
@@ -163,7 +99,7 @@ Plane MakeFlipMap(const MetricInput& input, double ppd) {
   const FlipSensitivity filters = MakeFlipSensitivity(ppd);
   const ColorPlanes color_a = Perceived(ycxcz.reference, filters, threads);
   const ColorPlanes color_b = Perceived(ycxcz.test, filters, threads);
-  const ErrorRange color_error;
+  const FlipErrorRange color_error;
 
   Plane map(input.width(), input.height());
   ForRows(map.height(), threads, [&](int y) {
@@ -173,7 +109,7 @@ Plane MakeFlipMap(const MetricInput& input, double ppd) {
       const double feature = FeatureError(
           std::abs(features_a.edge.row(y)[x] - features_b.edge.row(y)[x]),
           std::abs(features_a.point.row(y)[x] - features_b.point.row(y)[x]));
-      map.row(y)[x] = std::pow(color, 1 - feature);  // Equation (7).
+      map.row(y)[x] = std::pow(color, 1 - feature);  // Section 4.3.
     }
   });
   return map;

@@ -9,7 +9,7 @@ namespace rtb {
 namespace {
 
 // Wang, Simoncelli and Bovik, "Multi-Scale Structural Similarity for Image
-// Quality Assessment", Asilomar 2003, section 3.2, finest scale first.
+// Quality Assessment", Asilomar 2003, cross-scale calibration; finest first.
 constexpr double kWeights[] = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 constexpr int kScales = static_cast<int>(std::size(kWeights));
 

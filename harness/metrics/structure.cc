@@ -1,5 +1,7 @@
 #include "harness/metrics/structure.h"
 
+#include <functional>
+
 #include "core/base/check.h"
 #include "harness/metrics/convolve.h"
 #include "harness/metrics/rows.h"
@@ -14,13 +16,7 @@ constexpr double kC1 = 0.01 * 0.01;
 constexpr double kC2 = 0.03 * 0.03;
 
 Plane Product(const Plane& a, const Plane& b, int threads) {
-  Plane out(a.width(), a.height());
-  ForRows(a.height(), threads, [&](int y) {
-    for (int x = 0; x < a.width(); ++x) {
-      out.row(y)[x] = a.row(y)[x] * b.row(y)[x];
-    }
-  });
-  return out;
+  return CombinePlanes(a, b, threads, std::multiplies<>());
 }
 
 /// Local moments under the Gaussian window.

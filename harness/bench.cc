@@ -1,0 +1,186 @@
+#include "harness/bench.h"
+
+#include <numeric>
+#include <utility>
+
+#include "core/base/file.h"
+#include "core/math/random.h"
+#include "encoders/registry.h"
+#include "harness/rasters.h"
+#include "harness/reference_choice.h"
+#include "harness/run_encoder.h"
+
+namespace rtb {
+namespace {
+
+constexpr int kWarmUps = 3;
+
+/// An encoder with what was measured of it.
+struct Configuration {
+  std::string spec;
+  std::unique_ptr<Encoder> encoder;
+  Encoding encoding;
+  StageTimes render{"render", {}, {}};
+  StageTimes encode{"encode", {}, {}};
+};
+
+Result<std::vector<Configuration>> MakeConfigurations(
+    const std::string& encoders) {
+  RTB_ASSIGN_OR_RETURN(const std::vector<EncoderSpec> specs,
+                       ParseEncoderSpecs(encoders));
+  std::vector<Configuration> configurations;
+  for (const EncoderSpec& spec : specs) {
+    Configuration configuration;
+    configuration.spec = spec.text;
+    RTB_ASSIGN_OR_RETURN(configuration.encoder, MakeEncoder(spec));
+    configurations.push_back(std::move(configuration));
+  }
+  return configurations;
+}
+
+/// The order of one round: a Fisher-Yates shuffle.
+std::vector<std::size_t> RoundOrder(std::size_t count, int round) {
+  constexpr std::uint64_t kOrderSeed = 5;
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = count; i > 1; --i) {
+    const std::uint32_t bits =
+        RandomBits(static_cast<std::uint32_t>(i),
+                   static_cast<std::uint32_t>(round), 0, kOrderSeed);
+    std::swap(order[i - 1], order[bits % i]);
+  }
+  return order;
+}
+
+void AddTime(const Cost& cost, StageTimes& times) {
+  times.samples.push_back(cost.wall_ms);
+  times.cpu_samples.push_back(cost.cpu_ms);
+}
+
+/// One run of one configuration; every run must draw the same grid.
+Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
+               bool warm_up, Configuration& configuration) {
+  SceneSource source = scene.Source();
+  EncodeContext context;
+  context.seed = scene.options.seed;
+  context.threads = scene.options.threads;
+  const double aspect = static_cast<double>(request.decode.cell_width) /
+                        request.decode.cell_height;
+  RTB_ASSIGN_OR_RETURN(TimedEncoding run,
+                       RunEncoder(*configuration.encoder, source, request.grid,
+                                  aspect, context));
+  if (!warm_up) {
+    AddTime(run.render, configuration.render);
+    AddTime(run.encode, configuration.encode);
+  }
+  Encoding& first = configuration.encoding;
+  if (first.grid.cells.empty())
+    first = std::move(run.encoding);
+  else
+    RTB_CHECK(first.grid == run.encoding.grid);
+  return {};
+}
+
+Status RunRounds(
+    const BenchRequest& request, const PreparedScene& scene,
+    const std::function<void(double, const std::string&)>& progress,
+    std::vector<Configuration>& configurations) {
+  const int rounds = kWarmUps + request.repeat;
+  for (int round = 0; round < rounds; ++round) {
+    for (const std::size_t i : RoundOrder(configurations.size(), round)) {
+      RTB_RETURN_IF_ERROR(
+          RunOnce(request, scene, round < kWarmUps, configurations[i]));
+    }
+    progress((round + 1.0) / rounds, "timing");
+  }
+  return {};
+}
+
+/// Decodes and scores what a configuration drew.
+Status Evaluate(const BenchRequest& request, const PreparedScene& scene,
+                Configuration& configuration, BenchResult& result) {
+  BenchPicture picture;
+  picture.encoder = configuration.spec;
+  picture.grid = std::move(configuration.encoding.grid);
+  RTB_ASSIGN_OR_RETURN(picture.decoded, Decode(picture.grid, request.decode));
+  RTB_ASSIGN_OR_RETURN(
+      const RasterPair pair,
+      MatchRasters(result.reference, picture.decoded, "--reference"));
+  RunResult run;
+  run.scene = scene.scene->name;
+  run.encoder = configuration.spec;
+  run.grid = request.grid;
+  run.rays_per_cell = configuration.encoding.rays_per_cell;
+  run.raster = {pair.test.width(), pair.test.height()};
+  run.reference_raster = pair.reference_size;
+  run.times = {configuration.render, configuration.encode};
+  RTB_ASSIGN_OR_RETURN(run.metrics,
+                       Score(pair.reference, pair.test, scene.options.threads));
+  result.record.runs.push_back(std::move(run));
+  result.pictures.push_back(std::move(picture));
+  return {};
+}
+
+RunSettings SharedSettings(const BenchRequest& request,
+                           const PreparedScene& scene,
+                           const ReferencePicture& reference) {
+  RunSettings settings;
+  settings.backend = scene.backend->name();
+  settings.integrator = scene.options.integrator;
+  settings.spp = scene.options.spp;
+  settings.max_depth = scene.options.max_depth;
+  settings.seed = scene.options.seed;
+  settings.time = scene.options.time;
+  settings.exposure = scene.exposure;
+  settings.cell = {request.decode.cell_width, request.decode.cell_height};
+  settings.reference = reference.name;
+  settings.decode =
+      request.decode.masks == MaskSource::kFont ? "font" : "geometric";
+  return settings;
+}
+
+Result<std::vector<InputFile>> Inputs(const BenchRequest& request,
+                                      const PreparedScene& scene,
+                                      const ReferencePicture& reference) {
+  std::vector<InputFile> inputs;
+  inputs.push_back(
+      {"scene", scene.file.filename().string(), scene.scene->sha256});
+  const auto add = [&inputs](const std::string& role,
+                             const std::filesystem::path& file) -> Status {
+    if (file.empty()) return {};
+    RTB_ASSIGN_OR_RETURN(const std::string sha256, Sha256File(file));
+    inputs.push_back({role, file.filename().string(), sha256});
+    return {};
+  };
+  RTB_RETURN_IF_ERROR(add("reference", reference.file));
+  RTB_RETURN_IF_ERROR(add("font", request.decode.font));
+  return inputs;
+}
+
+}  // namespace
+
+Result<BenchResult> Bench(
+    const BenchRequest& request,
+    const std::function<void(double, const std::string&)>& progress) {
+  RTB_ASSIGN_OR_RETURN(std::vector<Configuration> configurations,
+                       MakeConfigurations(request.encoders));
+  RTB_ASSIGN_OR_RETURN(const PixelSize raster,
+                       RasterSize(request.grid, {request.decode.cell_width,
+                                                 request.decode.cell_height}));
+  RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(request.scene));
+  RTB_ASSIGN_OR_RETURN(ReferencePicture reference,
+                       ChooseReference(request.reference, scene, raster));
+  BenchResult result;
+  Manifest& manifest = result.record.manifest;
+  manifest.build = GetBuildInfo();
+  manifest.settings = SharedSettings(request, scene, reference);
+  RTB_ASSIGN_OR_RETURN(manifest.inputs, Inputs(request, scene, reference));
+  result.reference = std::move(reference.display);
+  RTB_RETURN_IF_ERROR(RunRounds(request, scene, progress, configurations));
+  for (Configuration& configuration : configurations) {
+    RTB_RETURN_IF_ERROR(Evaluate(request, scene, configuration, result));
+  }
+  return result;
+}
+
+}  // namespace rtb

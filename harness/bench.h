@@ -1,0 +1,49 @@
+/// @file
+/// The main job: encoders on a scene, rendered, encoded, timed and scored.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "encoders/cell_grid.h"
+#include "encoders/decode.h"
+#include "harness/prepared_scene.h"
+#include "harness/results/run_record.h"
+
+namespace rtb {
+
+/// What a user asks for.
+struct BenchRequest {
+  SceneRequest scene;
+  std::string encoders = "all";  ///< `SPEC[,SPEC...]` or `all`.
+  GridSize grid{120, 40};
+  DecodeOptions decode;
+  std::string reference;  ///< As ChooseReference takes it.
+  int repeat = 10;        ///< Timed runs of each encoder.
+};
+
+/// What an encoder drew.
+struct BenchPicture {
+  std::string encoder;  ///< Its SPEC.
+  CellGrid grid;
+  Image decoded;  ///< sRGB-encoded, before it is brought to a common size.
+};
+
+/// The record (its conditions are left to the caller) and the pictures, one
+/// for each run.
+struct BenchResult {
+  RunRecord record;
+  std::vector<BenchPicture> pictures;
+  Image reference;  ///< sRGB-encoded, rounded to 8 bits, at its own size.
+};
+
+/// Runs the job. Times follow the protocol: three warm-up rounds, then
+/// `repeat` rounds in which the encoders take turns in a random order that
+/// depends on nothing but the round.
+/// @param progress called with the finished share of the timed runs.
+Result<BenchResult> Bench(
+    const BenchRequest& request,
+    const std::function<void(double share, const std::string& what)>& progress);
+
+}  // namespace rtb

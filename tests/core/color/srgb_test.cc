@@ -1,0 +1,87 @@
+#include "core/color/srgb.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace rtb {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+/// IEC 61966-2-1, from the standard's own constants.
+double DecodeByTheFormula(double encoded) {
+  if (encoded <= 0.04045) return encoded / 12.92;
+  return std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t Code(int i) { return static_cast<std::uint8_t>(i); }
+
+TEST(Srgb, EveryCodeSurvivesTheRoundTrip) {
+  for (int i = 0; i < 256; ++i) {
+    EXPECT_EQ(SrgbEncode8(SrgbDecode8(Code(i))), i);
+    EXPECT_EQ(QuantizeEncoded(EncodedValues({Code(i), 0, 0}).x), i);
+    const Rgb8 color{Code(i), Code(255 - i), Code(i / 2)};
+    EXPECT_EQ(Encode8(Decode8(color)), color);
+    EXPECT_EQ(QuantizeEncoded(EncodedValues(color)), color);
+  }
+}
+
+TEST(Srgb, CodesDecodeByTheFormula) {
+  for (int i = 0; i < 256; ++i) {
+    const double expected = DecodeByTheFormula(i / 255.0);
+    EXPECT_FLOAT_EQ(SrgbDecode8(Code(i)), static_cast<float>(expected)) << i;
+  }
+  EXPECT_EQ(SrgbDecode8(0), 0);
+  EXPECT_EQ(SrgbDecode8(255), 1);
+}
+
+// A code's interval in linear light ends where the encoded value is half way
+// to the next code.
+TEST(Srgb, EncodingRoundsAtTheHalfWayPoints) {
+  for (int i = 0; i < 255; ++i) {
+    const double border = DecodeByTheFormula((i + 0.5) / 255);
+    EXPECT_EQ(SrgbEncode8(static_cast<float>(border * (1 - 1e-5))), i);
+    EXPECT_EQ(SrgbEncode8(static_cast<float>(border * (1 + 1e-5))), i + 1);
+  }
+}
+
+TEST(Srgb, FloatTransferIsItsOwnInverse) {
+  for (int i = 0; i <= 1000; ++i) {
+    const float value = static_cast<float>(i) / 1000;
+    EXPECT_NEAR(SrgbDecode(value), DecodeByTheFormula(value), 1e-7);
+    EXPECT_NEAR(SrgbEncode(SrgbDecode(value)), value, 2e-7);
+  }
+  // 18 % gray: 1.055 * 0.18^(1/2.4) - 0.055 = 0.4613561...
+  EXPECT_NEAR(SrgbEncode(0.18f), 0.461356, 1e-6);
+  EXPECT_EQ(SrgbEncode8(0.18f), 118);  // 0.4613561 * 255 = 117.6
+}
+
+TEST(Srgb, ClipsAndTakesNanForZero) {
+  for (const float low : {-0.0f, -1e-30f, -0.5f, -kInf, kNan, -kNan}) {
+    EXPECT_EQ(SrgbEncode(low), 0);
+    EXPECT_EQ(SrgbDecode(low), 0);
+    EXPECT_EQ(SrgbEncode8(low), 0);
+    EXPECT_EQ(QuantizeEncoded(low), 0);
+  }
+  for (const float high : {1.0f, 1.0001f, 1e30f, kInf}) {
+    EXPECT_FLOAT_EQ(SrgbEncode(high), 1);
+    EXPECT_FLOAT_EQ(SrgbDecode(high), 1);
+    EXPECT_LE(SrgbEncode(high), 1);
+    EXPECT_EQ(SrgbEncode8(high), 255);
+    EXPECT_EQ(QuantizeEncoded(high), 255);
+  }
+  // The smallest denormal is black, not trouble.
+  EXPECT_EQ(SrgbEncode8(std::numeric_limits<float>::denorm_min()), 0);
+}
+
+TEST(Srgb, QuantizingRoundsHalfUp) {
+  EXPECT_EQ(QuantizeEncoded(0.5f), 128);  // 127.5
+  EXPECT_EQ(QuantizeEncoded(0.499f), 127);
+  EXPECT_EQ(QuantizeEncoded(Rgb(0, 0.5f, 1)), (Rgb8{0, 128, 255}));
+}
+
+}  // namespace
+}  // namespace rtb

@@ -1,0 +1,12 @@
+/// @file
+/// A record for tests.
+#pragma once
+
+#include "harness/results/run_record.h"
+
+namespace rtb {
+
+/// Two encoders on one scene; the second has no PSNR, MS-SSIM or times.
+RunRecord SampleRecord();
+
+}  // namespace rtb
