@@ -14,10 +14,10 @@ V3d LabAt(const ColorPlanes& linear, int x, int y) {
 }
 
 /// CIEDE2000 of each pixel.
-const Plane& DifferenceMap(const MetricInput& input) {
-  return input.Once<Plane>("ciede2000", [&] {
+const ChannelPlane& DifferenceMap(const MetricInput& input) {
+  return input.Once<ChannelPlane>("ciede2000", [&] {
     const OfBoth<ColorPlanes>& linear = LinearPlanes(input);
-    Plane map(input.width(), input.height());
+    ChannelPlane map(input.width(), input.height());
     ForRows(map.height(), input.threads(), [&](int y) {
       for (int x = 0; x < map.width(); ++x) {
         map.row(y)[x] =
@@ -29,7 +29,7 @@ const Plane& DifferenceMap(const MetricInput& input) {
 }
 
 std::optional<double> ComputeMean(const MetricInput& input) {
-  const Plane& map = DifferenceMap(input);
+  const ChannelPlane& map = DifferenceMap(input);
   return MeanOverPixels(map.width(), map.height(), input.threads(),
                         [&](int x, int y) { return map.row(y)[x]; });
 }

@@ -29,10 +29,11 @@ Kernel GaussianKernel(double sigma, int radius) {
   return kernel;
 }
 
-Plane FilterRows(const Plane& in, const Kernel& kernel, int threads) {
+ChannelPlane FilterRows(const ChannelPlane& in, const Kernel& kernel,
+                        int threads) {
   const int radius = Radius(kernel);
   const int width = in.width();
-  Plane out(width, in.height());
+  ChannelPlane out(width, in.height());
   ForRows(in.height(), threads, [&](int y) {
     const double* row = in.row(y);
     std::vector<double> padded;
@@ -49,9 +50,10 @@ Plane FilterRows(const Plane& in, const Kernel& kernel, int threads) {
   return out;
 }
 
-Plane FilterColumns(const Plane& in, const Kernel& kernel, int threads) {
+ChannelPlane FilterColumns(const ChannelPlane& in, const Kernel& kernel,
+                           int threads) {
   const int radius = Radius(kernel);
-  Plane out(in.width(), in.height());
+  ChannelPlane out(in.width(), in.height());
   ForRows(in.height(), threads, [&](int y) {
     int source = y - radius;
     for (const double weight : kernel) {
@@ -62,7 +64,7 @@ Plane FilterColumns(const Plane& in, const Kernel& kernel, int threads) {
   return out;
 }
 
-Plane Filter(const Plane& in, const Kernel& kernel, int threads) {
+ChannelPlane Filter(const ChannelPlane& in, const Kernel& kernel, int threads) {
   return FilterColumns(FilterRows(in, kernel, threads), kernel, threads);
 }
 

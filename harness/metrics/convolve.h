@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "harness/metrics/plane.h"
+#include "harness/metrics/channel_plane.h"
 
 namespace rtb {
 
@@ -15,12 +15,14 @@ using Kernel = std::vector<double>;
 Kernel GaussianKernel(double sigma, int radius);
 
 /// Sum over k of kernel[k] in(x + k, y), borders replicated.
-Plane FilterRows(const Plane& in, const Kernel& kernel, int threads);
+ChannelPlane FilterRows(const ChannelPlane& in, const Kernel& kernel,
+                        int threads);
 
 /// Sum over k of kernel[k] in(x, y + k), borders replicated.
-Plane FilterColumns(const Plane& in, const Kernel& kernel, int threads);
+ChannelPlane FilterColumns(const ChannelPlane& in, const Kernel& kernel,
+                           int threads);
 
 /// Both, with one kernel.
-Plane Filter(const Plane& in, const Kernel& kernel, int threads);
+ChannelPlane Filter(const ChannelPlane& in, const Kernel& kernel, int threads);
 
 }  // namespace rtb

@@ -31,7 +31,7 @@ class Decoder {
 
 ColorPlanes ToLinear(const Image& image, int threads) {
   static const Decoder decode;
-  const Plane plane(image.width(), image.height());
+  const ChannelPlane plane(image.width(), image.height());
   ColorPlanes out = {plane, plane, plane};
   ForRows(image.height(), threads, [&](int y) {
     for (int x = 0; x < image.width(); ++x) {
@@ -44,8 +44,8 @@ ColorPlanes ToLinear(const Image& image, int threads) {
   return out;
 }
 
-Plane ToLuma(const Image& image, int threads) {
-  Plane out(image.width(), image.height());
+ChannelPlane ToLuma(const Image& image, int threads) {
+  ChannelPlane out(image.width(), image.height());
   ForRows(image.height(), threads, [&](int y) {
     for (int x = 0; x < image.width(); ++x) {
       out.row(y)[x] = Luminance(V3d(image.at(x, y)));
@@ -63,10 +63,10 @@ const OfBoth<ColorPlanes>& LinearPlanes(const MetricInput& input) {
   });
 }
 
-const OfBoth<Plane>& LumaPlanes(const MetricInput& input) {
-  return input.Once<OfBoth<Plane>>("luma", [&] {
-    return OfBoth<Plane>{ToLuma(input.reference(), input.threads()),
-                         ToLuma(input.test(), input.threads())};
+const OfBoth<ChannelPlane>& LumaPlanes(const MetricInput& input) {
+  return input.Once<OfBoth<ChannelPlane>>("luma", [&] {
+    return OfBoth<ChannelPlane>{ToLuma(input.reference(), input.threads()),
+                                ToLuma(input.test(), input.threads())};
   });
 }
 

@@ -3,8 +3,8 @@
 /// pair.
 #pragma once
 
+#include "harness/metrics/channel_plane.h"
 #include "harness/metrics/metric.h"
-#include "harness/metrics/plane.h"
 
 namespace rtb {
 
@@ -19,6 +19,6 @@ struct OfBoth {
 const OfBoth<ColorPlanes>& LinearPlanes(const MetricInput& input);
 
 /// Luma of both images: the weighted sum of encoded values, not rounded.
-const OfBoth<Plane>& LumaPlanes(const MetricInput& input);
+const OfBoth<ChannelPlane>& LumaPlanes(const MetricInput& input);
 
 }  // namespace rtb

@@ -6,7 +6,7 @@ namespace rtb {
 namespace {
 
 double MeanFlip(const MetricInput& input, double ppd) {
-  const Plane& map = FlipMap(input, ppd);
+  const ChannelPlane& map = FlipMap(input, ppd);
   return MeanOverPixels(map.width(), map.height(), input.threads(),
                         [&](int x, int y) { return map.row(y)[x]; });
 }

@@ -64,19 +64,20 @@ ColorPlanes Perceived(const ColorPlanes& ycxcz, const FlipSensitivity& filters,
 
 /// Strength of edges and points at each pixel. Section 4.2.
 struct Features {
-  Plane edge, point;
+  ChannelPlane edge, point;
 };
 
-Features DetectFeatures(const Plane& achromatic, const FlipFeatures& filters,
-                        int threads) {
-  const auto magnitude = [&](const Plane& along_x, const Plane& along_y) {
+Features DetectFeatures(const ChannelPlane& achromatic,
+                        const FlipFeatures& filters, int threads) {
+  const auto magnitude = [&](const ChannelPlane& along_x,
+                             const ChannelPlane& along_y) {
     return CombinePlanes(along_x, along_y, threads, [](double gx, double gy) {
       return std::sqrt(gx * gx + gy * gy);
     });
   };
-  const Plane smooth = FilterRows(achromatic, filters.gaussian, threads);
-  const Plane edge = FilterRows(achromatic, filters.edge, threads);
-  const Plane point = FilterRows(achromatic, filters.point, threads);
+  const ChannelPlane smooth = FilterRows(achromatic, filters.gaussian, threads);
+  const ChannelPlane edge = FilterRows(achromatic, filters.edge, threads);
+  const ChannelPlane point = FilterRows(achromatic, filters.point, threads);
   return {magnitude(FilterColumns(edge, filters.gaussian, threads),
                     FilterColumns(smooth, filters.edge, threads)),
           magnitude(FilterColumns(point, filters.gaussian, threads),
@@ -89,7 +90,7 @@ double FeatureError(double edge, double point) {
   return std::sqrt(std::max(edge, point) / (116 * std::numbers::sqrt2));
 }
 
-Plane MakeFlipMap(const MetricInput& input, double ppd) {
+ChannelPlane MakeFlipMap(const MetricInput& input, double ppd) {
   const int threads = input.threads();
   const OfBoth<ColorPlanes>& ycxcz = YcxczPlanes(input);
   const FlipFeatures detectors = MakeFlipFeatures(ppd);
@@ -101,7 +102,7 @@ Plane MakeFlipMap(const MetricInput& input, double ppd) {
   const ColorPlanes color_b = Perceived(ycxcz.test, filters, threads);
   const FlipErrorRange color_error;
 
-  Plane map(input.width(), input.height());
+  ChannelPlane map(input.width(), input.height());
   ForRows(map.height(), threads, [&](int y) {
     for (int x = 0; x < map.width(); ++x) {
       const double color =
@@ -117,9 +118,9 @@ Plane MakeFlipMap(const MetricInput& input, double ppd) {
 
 }  // namespace
 
-const Plane& FlipMap(const MetricInput& input, double ppd) {
-  return input.Once<Plane>("flip:" + std::to_string(ppd),
-                           [&] { return MakeFlipMap(input, ppd); });
+const ChannelPlane& FlipMap(const MetricInput& input, double ppd) {
+  return input.Once<ChannelPlane>("flip:" + std::to_string(ppd),
+                                  [&] { return MakeFlipMap(input, ppd); });
 }
 
 }  // namespace rtb

@@ -2,8 +2,8 @@
 /// The error map of LDR-FLIP.
 #pragma once
 
+#include "harness/metrics/channel_plane.h"
 #include "harness/metrics/metric.h"
-#include "harness/metrics/plane.h"
 
 namespace rtb {
 
@@ -16,6 +16,6 @@ inline constexpr double kFlipPpdFar = 67.0206433;
 
 /// FLIP of each pixel, 0 (equal) to 1, after Andersson et al. 2020 and the
 /// authors' tool, version 1.6. Computed once for a pair and `ppd`.
-const Plane& FlipMap(const MetricInput& input, double ppd);
+const ChannelPlane& FlipMap(const MetricInput& input, double ppd);
 
 }  // namespace rtb

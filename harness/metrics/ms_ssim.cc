@@ -18,8 +18,8 @@ constexpr int kMinSide = kSsimWindow << (kScales - 1);
 
 /// Half the size, rounded up: means of 2 x 2 pixels. Beyond an odd side's end
 /// the symmetric border repeats the last pixel.
-Plane Halve(const Plane& in, int threads) {
-  Plane out((in.width() + 1) / 2, (in.height() + 1) / 2);
+ChannelPlane Halve(const ChannelPlane& in, int threads) {
+  ChannelPlane out((in.width() + 1) / 2, (in.height() + 1) / 2);
   ForRows(out.height(), threads, [&](int y) {
     const double* upper = in.row(2 * y);
     const double* lower = in.row(std::min(2 * y + 1, in.height() - 1));
@@ -41,7 +41,7 @@ double Term(double mean, int scale) {
 
 std::optional<double> Compute(const MetricInput& input) {
   if (std::min(input.width(), input.height()) < kMinSide) return std::nullopt;
-  OfBoth<Plane> luma = LumaPlanes(input);
+  OfBoth<ChannelPlane> luma = LumaPlanes(input);
   double product = 1;
   for (int scale = 0; scale < kScales - 1; ++scale) {
     product *= Term(

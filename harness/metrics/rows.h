@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "harness/metrics/plane.h"
+#include "harness/metrics/channel_plane.h"
 
 namespace rtb {
 
@@ -44,9 +44,9 @@ double MeanOverPixels(int width, int height, int threads, const Value& value) {
 
 /// The plane of combine(a(x, y), b(x, y)).
 template <class Combine>
-Plane CombinePlanes(const Plane& a, const Plane& b, int threads,
-                    const Combine& combine) {
-  Plane out(a.width(), a.height());
+ChannelPlane CombinePlanes(const ChannelPlane& a, const ChannelPlane& b,
+                           int threads, const Combine& combine) {
+  ChannelPlane out(a.width(), a.height());
   ForRows(a.height(), threads, [&](int y) {
     for (int x = 0; x < a.width(); ++x) {
       out.row(y)[x] = combine(a.row(y)[x], b.row(y)[x]);

@@ -10,7 +10,7 @@ std::optional<double> Compute(const MetricInput& input) {
   if (std::min(input.width(), input.height()) < kSsimWindow) {
     return std::nullopt;
   }
-  const OfBoth<Plane>& luma = LumaPlanes(input);
+  const OfBoth<ChannelPlane>& luma = LumaPlanes(input);
   return CompareStructure(luma.reference, luma.test, input.threads())
       .similarity;
 }

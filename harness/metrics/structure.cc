@@ -15,18 +15,20 @@ constexpr double kSigma = 1.5;
 constexpr double kC1 = 0.01 * 0.01;
 constexpr double kC2 = 0.03 * 0.03;
 
-Plane Product(const Plane& a, const Plane& b, int threads) {
+ChannelPlane Product(const ChannelPlane& a, const ChannelPlane& b,
+                     int threads) {
   return CombinePlanes(a, b, threads, std::multiplies<>());
 }
 
 /// Local moments under the Gaussian window.
 struct Moments {
-  Plane a, b, aa, bb, ab;
+  ChannelPlane a, b, aa, bb, ab;
 };
 
-Moments LocalMoments(const Plane& a, const Plane& b, int threads) {
+Moments LocalMoments(const ChannelPlane& a, const ChannelPlane& b,
+                     int threads) {
   const Kernel window = GaussianKernel(kSigma, kSsimWindow / 2);
-  const auto blur = [&](const Plane& in) {
+  const auto blur = [&](const ChannelPlane& in) {
     return Filter(in, window, threads);
   };
   return {blur(a), blur(b), blur(Product(a, a, threads)),
@@ -47,7 +49,8 @@ Structure At(const Moments& m, int x, int y) {
 
 }  // namespace
 
-Structure CompareStructure(const Plane& a, const Plane& b, int threads) {
+Structure CompareStructure(const ChannelPlane& a, const ChannelPlane& b,
+                           int threads) {
   RTB_CHECK_GE(a.width(), kSsimWindow);
   RTB_CHECK_GE(a.height(), kSsimWindow);
   const Moments moments = LocalMoments(a, b, threads);

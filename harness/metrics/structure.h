@@ -2,7 +2,7 @@
 /// Structural similarity of two planes, which SSIM and MS-SSIM share.
 #pragma once
 
-#include "harness/metrics/plane.h"
+#include "harness/metrics/channel_plane.h"
 
 namespace rtb {
 
@@ -17,6 +17,7 @@ struct Structure {
 
 /// Both planes have the same size, at least kSsimWindow in both directions;
 /// values in [0, 1].
-Structure CompareStructure(const Plane& a, const Plane& b, int threads);
+Structure CompareStructure(const ChannelPlane& a, const ChannelPlane& b,
+                           int threads);
 
 }  // namespace rtb

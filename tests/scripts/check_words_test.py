@@ -33,7 +33,8 @@ class CheckWordsTest(ScriptTest):
     def test_what_only_looks_like_it(self):
         self.write("core/a.cc", "mktemp a." + "X" * 6 + "; // hack, todo list\n"
                    "read(\"/usr/share/fonts/x.ttf\", \"$HOME/work/x\",\n"
-                   "     \"docs/work/x\", \"/dev/stdout\")\n")
+                   "     \"docs/work/x\", \"/dev/stdout\")\n"
+                   "picture({\"" + "X" * 3 + "\", \"X..\"});\n")
         self.write("build/a.cc", MARKS[0])
         self.write("results/local/a.md", MARKS[0])
         self.write("a.exr", MARKS[0])

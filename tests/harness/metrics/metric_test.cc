@@ -161,7 +161,7 @@ TEST(FlipTest, OfUniformGrayFollowsTheErrorRange) {
 TEST(FlipTest, MapHasThePixelsOfTheImages) {
   const Image a = Uniform(7, 5, 0);
   const MetricInput input(a, a);
-  const Plane& map = FlipMap(input, kFlipPpd);
+  const ChannelPlane& map = FlipMap(input, kFlipPpd);
   EXPECT_EQ(map.width(), 7);
   EXPECT_EQ(map.height(), 5);
   EXPECT_EQ(&map, &FlipMap(input, kFlipPpd));

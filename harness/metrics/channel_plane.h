@@ -1,6 +1,6 @@
 /// @file
-/// Plane: one channel of a raster in double precision, what metrics compute
-/// on.
+/// ChannelPlane: one channel of a raster in double precision, what metrics
+/// compute on.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 namespace rtb {
 
 /// width x height doubles, row by row from the top left.
-class Plane {
+class ChannelPlane {
  public:
-  Plane() = default;
-  Plane(int width, int height)
+  ChannelPlane() = default;
+  ChannelPlane(int width, int height)
       : width_(width),
         height_(height),
         values_(static_cast<std::size_t>(width) *
@@ -40,6 +40,6 @@ class Plane {
 };
 
 /// Three channels of one size.
-using ColorPlanes = std::array<Plane, 3>;
+using ColorPlanes = std::array<ChannelPlane, 3>;
 
 }  // namespace rtb

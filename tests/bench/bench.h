@@ -1,0 +1,29 @@
+/// @file
+/// The program's groups of benchmarks; each registers its own.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/render/backend.h"
+#include "core/scene/scene.h"
+
+namespace rtb {
+
+/// A scene of the repository, ready to render on the default backend.
+struct BenchScene {
+  std::unique_ptr<Scene> scene;
+  std::unique_ptr<Backend> backend;
+};
+
+/// Loads `scenes/<name>.yaml`.
+Result<BenchScene> LoadBenchScene(const std::string& name);
+
+/// `encode/SPEC` for every encoder of the registry, with `ns_per_cell`.
+void RegisterEncodeBenchmarks();
+
+/// `render/SCENE` for every scene of the repository, with `rays_per_second`.
+void RegisterRenderBenchmarks();
+
+}  // namespace rtb
