@@ -23,7 +23,7 @@ std::filesystem::path FolderWith(const std::string& sdl) {
 
 constexpr char kWhite[] =
     "#version 3.7; global_settings { assumed_gamma 1.0 }\n"
-    "#declare Used = BandTop + BandBottom;\n"
+    "#declare Used = BandRows + BandBegin + BandEnd;\n"
     "camera { location 0 } background { rgb 1 }\n";
 
 TEST(PovBandsTest, BandsCoverTheRowsOnce) {

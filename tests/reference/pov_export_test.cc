@@ -49,9 +49,9 @@ TEST(PovExportTest, CameraIsThreeVectorsAndCutsBands) {
   scene.camera.position = V3d(1, 2, 3);
   const std::string text = Export(scene);
   EXPECT_THAT(text, HasSubstr("  location <1, 2, 3>\n"));
-  EXPECT_THAT(text, HasSubstr("  right <1.9999999999999998, 0, 0> * (Band * "
+  EXPECT_THAT(text, HasSubstr("  right <1.9999999999999998, 0, 0> * (Share * "
                               "image_width / image_height)\n"));
-  EXPECT_THAT(text, HasSubstr("  up <0, 1.9999999999999998, 0> * Band\n"));
+  EXPECT_THAT(text, HasSubstr("  up <0, 1.9999999999999998, 0> * Share\n"));
   EXPECT_THAT(text, Not(HasSubstr("look_at")));
 }
 
@@ -266,6 +266,11 @@ const Refusal kRefusals[] = {
      [](Scene* s) {
        AddSphereOf(s, Dielectric{});
        AddObject(s, Sphere{V3d(0, 0, -5), 0.5}, 0);
+     }},
+    {"Subdivision", "`subdivide`",
+     [](Scene* s) {
+       s->meshes.emplace_back();
+       AddObject(s, Mesh{"m.obj", false, 2, 0});
      }},
     {"SmoothMesh", "`smooth: true`",
      [](Scene* s) {
