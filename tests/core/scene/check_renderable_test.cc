@@ -60,13 +60,10 @@ TEST_P(UnrenderedTest, IsNamedWithItsLine) {
   const Status status = Check(GetParam().text);
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().kind, ErrorKind::kBadInput);
-  const std::string line =
-      "s.yaml:" + std::to_string(GetParam().line) + ":";
+  const std::string line = "s.yaml:" + std::to_string(GetParam().line) + ":";
   EXPECT_THAT(status.error().place, testing::HasSubstr(line));
-  EXPECT_THAT(status.error().what,
-              testing::HasSubstr(GetParam().message));
-  EXPECT_THAT(status.error().what,
-              testing::EndsWith("is not rendered yet"));
+  EXPECT_THAT(status.error().what, testing::HasSubstr(GetParam().message));
+  EXPECT_THAT(status.error().what, testing::EndsWith("is not rendered yet"));
 }
 
 const Unrendered kRows[] = {

@@ -83,13 +83,12 @@ TEST(LoadMaterialsTest, EmissiveMayExceedOne) {
 }
 
 TEST(LoadMaterialsTest, CheckerStandsInPlaceOfTheAlbedo) {
-  for (const std::string type :
-       {"lambertian", "metal", "plastic, ior: 1.5",
-        "phong, specular: [0, 0, 0], exponent: 1"}) {
-    const Material m =
-        Parsed("texture: {type: checker, a: [1, 0, 0], b: [0, 1, 0], "
-               "size: 0.5}, type: " +
-               type);
+  for (const std::string type : {"lambertian", "metal", "plastic, ior: 1.5",
+                                 "phong, specular: [0, 0, 0], exponent: 1"}) {
+    const Material m = Parsed(
+        "texture: {type: checker, a: [1, 0, 0], b: [0, 1, 0], "
+        "size: 0.5}, type: " +
+        type);
     const auto& checker = std::get<CheckerTexture>(m.texture);
     EXPECT_EQ(checker.a, Rgb(1, 0, 0));
     EXPECT_EQ(checker.b, Rgb(0, 1, 0));
@@ -98,9 +97,9 @@ TEST(LoadMaterialsTest, CheckerStandsInPlaceOfTheAlbedo) {
 }
 
 TEST(LoadMaterialsTest, ImageTextureAndBumpAreFilesBesideTheScene) {
-  const Material m =
-      Parsed("type: lambertian, texture: {type: image, file: quad.obj, "
-             "scale: [4, -2]}, bump: {file: quad.obj, amount: 0.02}");
+  const Material m = Parsed(
+      "type: lambertian, texture: {type: image, file: quad.obj, "
+      "scale: [4, -2]}, bump: {file: quad.obj, amount: 0.02}");
   const auto& image = std::get<ImageTexture>(m.texture);
   EXPECT_EQ(image.file, kData / "quad.obj");
   EXPECT_EQ(image.scale, V2d(4, -2));

@@ -129,6 +129,14 @@ TEST(LoadObjectsTest, GroupsInstancesAndFindObject) {
   EXPECT_EQ(FindObject(scene, "leaf"), &outer->children[0].children[0]);
   EXPECT_EQ(FindObject(scene, "nobody"), nullptr);
   EXPECT_EQ(FindObject(scene, ""), nullptr);
+  EXPECT_EQ(scene.object_places.size(), 3u);
+  // Without the index, or with one that the tree has outgrown, as well.
+  Scene changed = scene;
+  changed.objects.erase(changed.objects.begin());
+  EXPECT_EQ(FindObject(changed, "outer"), &changed.objects[0]);
+  changed.object_places.clear();
+  EXPECT_EQ(FindObject(changed, "leaf"),
+            &changed.objects[0].children[0].children[0]);
 }
 
 TEST(LoadObjectsTest, MeshesOfTheSameFileShareTheirData) {
