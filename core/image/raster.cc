@@ -66,6 +66,36 @@ void PlaceRow(const PixelDecoder& decoder, std::span<const float> values,
   }
 }
 
+/// Reads everything, some rows at a time, onto the part of the image that
+/// `shown` is of the file's plane.
+/// @return whether the file was whole.
+bool ReadOnto(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
+              const Window& shown, Image* image) {
+  const PixelDecoder decoder(spec);
+  const auto row_size =
+      static_cast<std::size_t>(spec.width) *
+      static_cast<std::size_t>(decoder.end() - decoder.begin());
+  const int step = spec.tile_width == 0 ? kRowsAtOnce : spec.tile_height;
+  std::vector<float> values(
+      row_size * static_cast<std::size_t>(std::min(step, spec.height)));
+  for (int row = 0; row < spec.height; row += step) {
+    const int count = std::min(step, spec.height - row);
+    // Some readers fill in what is missing, and only mention it.
+    if (!ReadRows(input, spec, decoder, spec.y + row, count, &values) ||
+        input.has_error()) {
+      return false;
+    }
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t y = std::int64_t{spec.y} + row + i - shown.y;
+      if (y < 0 || y >= image->height()) continue;
+      const auto begin = static_cast<std::size_t>(i) * row_size;
+      PlaceRow(decoder, std::span(values).subspan(begin, row_size),
+               spec.x - shown.x, static_cast<int>(y), image);
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name) {
@@ -78,28 +108,9 @@ Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name) {
       Display(spec, data, std::string(input.format_name()) == "openexr");
   RTB_RETURN_IF_ERROR(CheckSize(data, name));
   RTB_RETURN_IF_ERROR(CheckSize(shown, name));
-  const PixelDecoder decoder(spec);
   Image image(static_cast<int>(shown.width), static_cast<int>(shown.height));
-  const auto row_size =
-      static_cast<std::size_t>(spec.width) *
-      static_cast<std::size_t>(decoder.end() - decoder.begin());
-  const int step = spec.tile_width == 0 ? kRowsAtOnce : spec.tile_height;
-  std::vector<float> values(
-      row_size * static_cast<std::size_t>(std::min(step, spec.height)));
-  for (int row = 0; row < spec.height; row += step) {
-    const int count = std::min(step, spec.height - row);
-    if (!ReadRows(input, spec, decoder, spec.y + row, count, &values) ||
-        input.has_error()) {
-      return Fail(BadInput(name, "is damaged: " + input.geterror()));
-    }
-    for (int i = 0; i < count; ++i) {
-      const std::int64_t y = data.y + row + i - shown.y;
-      if (y < 0 || y >= image.height()) continue;
-      PlaceRow(decoder,
-               std::span(values).subspan(static_cast<std::size_t>(i) * row_size,
-                                         row_size),
-               data.x - shown.x, static_cast<int>(y), &image);
-    }
+  if (!ReadOnto(input, spec, shown, &image)) {
+    return Fail(BadInput(name, "is damaged: " + input.geterror()));
   }
   return image;
 }

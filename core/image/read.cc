@@ -38,6 +38,7 @@ Result<Image> ReadPath(const std::string& path, const std::string& name) try {
     return Fail(BadInput(name, "is not an image that can be read: " +
                                    Reworded(OIIO::geterror(), path, name)));
   }
+  input->threads(1);  // no threads but those that a caller asked for
   auto image = ReadRaster(*input, name);
   if (!image) {
     image.error().what = Reworded(image.error().what, path, name);

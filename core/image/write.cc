@@ -26,6 +26,7 @@ Result<std::string> Encode(const std::string& name, const OIIO::ImageSpec& spec,
   OIIO::Filesystem::IOVecOutput proxy(bytes);
   const auto output = OIIO::ImageOutput::create(name, &proxy);
   if (!output) return Fail(Missing(name, OIIO::geterror()));
+  output->threads(1);  // no threads but those that a caller asked for
   const bool written = output->open(name, spec) &&
                        output->write_image(memory, pixels) && output->close();
   if (!written) return Fail(Failure(name, output->geterror()));

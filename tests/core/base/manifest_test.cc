@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <chrono>
 #include <ctime>
@@ -138,11 +139,19 @@ TEST(HostInfo, AgreesWithOtherPrograms) {
   if (uname) {
     EXPECT_EQ(GetHostInfo().kernel + "\n", uname->out);
   }
-  const auto nproc =
-      RunProcess({{"env", "-u", "OMP_NUM_THREADS", "nproc"}, "", 0});
-  if (nproc) {
-    EXPECT_EQ(std::to_string(GetHostInfo().cores) + "\n", nproc->out);
-  }
+}
+
+TEST(HostInfo, CountsTheCoresThatThisProcessMayUse) {
+  cpu_set_t before, one;
+  ASSERT_EQ(::sched_getaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(GetHostInfo().cores, CPU_COUNT(&before));
+  int first = 0;
+  while (!CPU_ISSET(first, &before)) ++first;
+  CPU_ZERO(&one);
+  CPU_SET(first, &one);
+  ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(GetHostInfo().cores, 1);
+  ASSERT_EQ(::sched_setaffinity(0, sizeof before, &before), 0);
 }
 
 TEST(UtcNow, IsNowInTheFormat) {
