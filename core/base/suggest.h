@@ -8,8 +8,9 @@
 
 namespace rtb {
 
-/// "did you mean `name`?" for the candidate nearest to `word` (Levenshtein
-/// distance, at most a third of the word's length but at least 1), or "".
+/// "did you mean `name`?" for the candidate that the fewest edits (at most a
+/// third of the word's length, but one in any case) separate from `word`, or
+/// "". To swap neighboring letters is one edit.
 std::string DidYouMean(std::string_view word,
                        std::span<const std::string> candidates);
 

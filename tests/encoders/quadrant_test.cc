@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "encoders/blend.h"
 #include "encoders/glyphs/patterns.h"
-#include "encoders/partition.h"
 #include "tests/encoders/testing.h"
 
 namespace rtb {
@@ -122,45 +119,11 @@ TEST(QuadrantTest, LowerMaskIsOnWhenBothSidesAreEquallyBright) {
             (Cell{U'▀', red, violet}));
 }
 
-/// Squared error of the samples around the means of the two sides.
-double PartitionError(const std::array<V3d, 4>& samples, unsigned on) {
-  double error = 0;
-  for (const unsigned side : {on, on ^ 15u}) {
-    V3d sum(0);
-    double count = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      if ((side >> i & 1) == 0) continue;
-      sum += samples[i];
-      count += 1;
-    }
-    for (unsigned i = 0; i < 4; ++i) {
-      if ((side >> i & 1) != 0) error += (samples[i] - sum / count).length2();
-    }
-  }
-  return error;
-}
-
 class QuadrantBlendTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuadrantBlendTest, BestIsTheBestOfAllSixteen) {
-  const Blend blend = *ReadBlend({{"blend", GetParam()}});
-  const auto encoder =
-      Make(std::string("quadrant:split=best:blend=") + GetParam());
-  const Fragments fragments =
-      RandomFragments(encoder->Plan({40, 25}, 0.5, 0), 3);
-  const CellGrid grid = encoder->Encode(fragments, {});
-  for (int cell = 0; cell < 1000; ++cell) {
-    std::array<V3d, 4> samples;
-    ToBlend(blend, fragments.cell(cell), samples);
-    double least = std::numeric_limits<double>::infinity();
-    for (unsigned on = 0; on < 16; ++on) {
-      least = std::min(least, PartitionError(samples, on));
-    }
-    const char32_t glyph = grid.cells[static_cast<std::size_t>(cell)].glyph;
-    const auto pattern = PatternOf(glyph);
-    ASSERT_TRUE(pattern);
-    EXPECT_NEAR(PartitionError(samples, pattern->pattern), least, 1e-9);
-  }
+  ExpectBestPartitions(std::string("quadrant:split=best:blend=") + GetParam(),
+                       *ReadBlend({{"blend", GetParam()}}), QuadrantGlyph);
 }
 
 INSTANTIATE_TEST_SUITE_P(, QuadrantBlendTest,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "encoders/blend.h"
 #include "encoders/cell_grid.h"
 #include "encoders/registry.h"
 
@@ -35,6 +36,12 @@ std::unique_ptr<Encoder> Make(const std::string& spec);
 
 /// Linear colors, some beyond [0, 1], that depend on `seed` alone.
 Fragments RandomFragments(const SamplePlan& plan, std::uint64_t seed);
+
+/// Encodes 1000 cells of random fragments, and expects each glyph (which
+/// `glyph` gives for a pattern) to stand for a partition of the least squared
+/// error of all there are, and the colors for its rounded means.
+void ExpectBestPartitions(const std::string& spec, Blend blend,
+                          char32_t (*glyph)(unsigned));
 
 /// Reads a file that must exist.
 std::string ReadTestFile(const std::string& path_below_tests);

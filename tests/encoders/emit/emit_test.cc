@@ -1,0 +1,106 @@
+#include "encoders/emit/emit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/encoders/testing.h"
+
+namespace rtb {
+namespace {
+
+constexpr Rgb8 kRed{255, 0, 0};
+constexpr Rgb8 kBlue{0, 0, 255};
+
+CellGrid Row(std::vector<Cell> cells) {
+  CellGrid grid({static_cast<int>(cells.size()), 1});
+  grid.cells = std::move(cells);
+  return grid;
+}
+
+TEST(Utf8Test, UsesOneToFourBytes) {
+  EXPECT_EQ(Utf8(U'A'), "A");
+  EXPECT_EQ(Utf8(0xA0), "\xC2\xA0");
+  EXPECT_EQ(Utf8(0x2584), "\xE2\x96\x84");
+  EXPECT_EQ(Utf8(0x1FB00), "\xF0\x9F\xAC\x80");
+  EXPECT_EQ(Utf8(0x10FFFF), "\xF4\x8F\xBF\xBF");
+}
+
+TEST(EmitAnsiTest, SetsBothColorsInOneSequence) {
+  EXPECT_EQ(EmitAnsi(Row({{U'▄', {1, 2, 3}, {4, 5, 6}}})),
+            "\x1b[38;2;1;2;3;48;2;4;5;6m▄\x1b[0m\n");
+}
+
+TEST(EmitAnsiTest, NamesChangedColorsOnly) {
+  EXPECT_EQ(EmitAnsi(Row({{U'▄', kRed, kBlue},
+                          {U'▀', kRed, kBlue},
+                          {U'▄', kRed, kRed},
+                          {U'▄', kBlue, kRed}})),
+            "\x1b[38;2;255;0;0;48;2;0;0;255m▄▀\x1b[48;2;255;0;0m▄"
+            "\x1b[38;2;0;0;255m▄\x1b[0m\n");
+}
+
+// A space shows no foreground, a full block no background.
+TEST(EmitAnsiTest, LeavesOutColorsThatDoNotShow) {
+  EXPECT_EQ(
+      EmitAnsi(
+          Row({{U' ', kRed, kBlue}, {U'█', kRed, kRed}, {U'▄', kRed, kBlue}})),
+      "\x1b[48;2;0;0;255m \x1b[38;2;255;0;0m█▄\x1b[0m\n");
+}
+
+TEST(EmitAnsiTest, StartsEveryLineAfresh) {
+  CellGrid grid({1, 2});
+  grid.cells = {{U' ', {}, kBlue}, {U' ', {}, kBlue}};
+  EXPECT_EQ(EmitAnsi(grid),
+            "\x1b[48;2;0;0;255m \x1b[0m\n\x1b[48;2;0;0;255m \x1b[0m\n");
+}
+
+TEST(EmitJsonTest, ListsCellsRowByRow) {
+  CellGrid grid({1, 2});
+  grid.cells = {{U'▄', {1, 2, 255}, kBlue}, {U'"', kRed, {}}};
+  EXPECT_EQ(EmitJson(grid),
+            "{\"columns\":1,\"rows\":2,\"cells\":["
+            "[\"▄\",\"#0102ff\",\"#0000ff\"],"
+            "[\"\\\"\",\"#ff0000\",\"#000000\"]]}\n");
+}
+
+// Two equal half blocks are one rectangle, and so is the background of all
+// three cells; the letter stands on the baseline of glyphs/font.h: 0.266 +
+// 12.334 from the top.
+TEST(EmitSvgTest, MergesRectanglesAndPlacesText) {
+  const std::string svg = EmitSvg(
+      Row({{U'▄', kRed, kBlue}, {U'▄', kRed, kBlue}, {U'<', kRed, kBlue}}), 8,
+      16);
+  EXPECT_EQ(
+      svg,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"24\" height=\"16\" "
+      "viewBox=\"0 0 24 16\" shape-rendering=\"crispEdges\" "
+      "font-family=\"'DejaVu Sans Mono', 'DejaVu Sans', monospace\" "
+      "font-size=\"13.287916\">\n"
+      "<rect x=\"0\" y=\"0\" width=\"24\" height=\"16\" fill=\"#0000ff\"/>\n"
+      "<rect x=\"0\" y=\"8\" width=\"16\" height=\"8\" fill=\"#ff0000\"/>\n"
+      "<text x=\"16\" y=\"12.600162\" textLength=\"8\" "
+      "lengthAdjust=\"spacingAndGlyphs\" fill=\"#ff0000\">&lt;</text>\n"
+      "</svg>\n");
+}
+
+TEST(EmitSvgTest, DrawsShadesTranslucentAndFullBlocksWithoutBackground) {
+  const std::string svg =
+      EmitSvg(Row({{U'░', kRed, kBlue}, {U'█', kRed, kBlue}}), 8, 16);
+  EXPECT_THAT(
+      svg, testing::HasSubstr("<rect x=\"0\" y=\"0\" width=\"8\" height=\"16\" "
+                              "fill=\"#0000ff\"/>\n"
+                              "<rect x=\"0\" y=\"0\" width=\"8\" height=\"16\" "
+                              "fill=\"#ff0000\" fill-opacity=\"0.25\"/>\n"
+                              "<rect x=\"8\" y=\"0\" width=\"8\" height=\"16\" "
+                              "fill=\"#ff0000\"/>\n</svg>"));
+}
+
+// Thirds of 16 rows.
+TEST(EmitSvgTest, KeepsFractions) {
+  EXPECT_THAT(EmitSvg(Row({{char32_t{0x1FB00}, kRed, kBlue}}), 8, 16),
+              testing::HasSubstr("<rect x=\"0\" y=\"0\" width=\"4\" "
+                                 "height=\"5.3333333\" fill=\"#ff0000\"/>"));
+}
+
+}  // namespace
+}  // namespace rtb
