@@ -202,7 +202,8 @@ struct Mesh {
 /// The children are in Object::children.
 struct Group {};
 struct Instance {
-  std::string of;  ///< The id of a group or mesh.
+  std::string of;           ///< The id of a group or mesh.
+  SourceMark of_mark = {};  ///< Where that id stands.
 };
 
 /// A node of the scene's tree: p_parent = position + Rz Ry Rx (scale * p).
@@ -245,6 +246,9 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Path> paths;
   std::vector<TriangleMesh> meshes;
+  /// What was mended on loading (e.g. degenerate triangles of a mesh that were
+  /// dropped), one sentence each.
+  std::vector<std::string> warnings;
 };
 
 /// The object with this id anywhere in the tree, or nullptr.

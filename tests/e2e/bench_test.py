@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""The main job: `rtbench --encoder=... --scene=...`."""
+
+import json
+import re
+import unittest
+
+from pictures import read_png
+from program import ROOT, ProgramTest
+
+# Small and quick: 96 x 64 pixels, one timed run, our own reference.
+QUICK = ["--scene=cornell", "--grid=12x4", "--repeat=1", "--reference=self",
+         "--quiet"]
+COLUMNS = ["encoder", "rays/cell", "render ms", "encode ms", "frames/s", "MSE",
+           "PSNR dB", "SSIM", "FLIP@40PPD"]
+
+
+def stable(record):
+    """The record without what may differ between two runs."""
+    if isinstance(record, dict):
+        return {key: stable(value) for key, value in record.items()
+                if key not in ("ms", "volatile")}
+    if isinstance(record, list):
+        return [stable(value) for value in record]
+    return record
+
+
+class BenchTest(ProgramTest):
+
+    def record(self, *args):
+        return json.loads(self.succeed(*args, "--json=-"))
+
+    def test_table(self):
+        text = self.succeed("--encoder=quadrant,half", *QUICK).decode()
+        lines = text.splitlines()
+        self.assertIn("cornell, 12x4 cells; compared at 96x64 pixels",
+                      lines[0])
+        self.assertEqual(re.split(r"\s{2,}", lines[1].strip()), COLUMNS)
+        self.assertTrue(lines[3].startswith("quadrant "))
+        self.assertTrue(lines[4].startswith("half "))
+        self.assertRegex(lines[3], r"^quadrant\s+4\s")
+
+    def test_no_command_means_bench(self):
+        self.assertEqual(
+            stable(self.record("--encoder=half", *QUICK)),
+            stable(self.record("bench", "--encoder=half", *QUICK)))
+
+    def test_all_is_every_encoder_listed(self):
+        listed = json.loads(self.succeed("list", "encoders", "--json"))
+        record = self.record(*QUICK)
+        self.assertEqual([run["encoder"] for run in record["runs"]],
+                         [encoder["name"] for encoder in listed])
+        self.assertEqual([run["rays_per_cell"] for run in record["runs"]],
+                         [encoder["samples_per_cell"] for encoder in listed])
+
+    def test_record(self):
+        record = self.record("--encoder=tiv", "--seed=7", "--spp=4", *QUICK)
+        self.assertEqual(list(record),
+                         ["schema", "manifest", "runs", "volatile"])
+        run, = record["runs"]
+        self.assertEqual(run["scene"], "cornell")
+        self.assertEqual(run["encoder"], "tiv")
+        self.assertEqual(run["grid"], [12, 4])
+        self.assertEqual(run["rays_per_cell"], 32)
+        for stage in ("render", "encode"):
+            times = run["ms"][stage]
+            self.assertEqual(len(times["samples"]), 1)
+            self.assertLessEqual(times["lo"], times["median"])
+        self.assertGreater(run["metrics"]["psnr"], 10)
+        self.assertLess(run["metrics"]["psnr"], 60)
+        self.assertIsNone(run["metrics"]["ms_ssim"])  # below 176 pixels
+        schema = json.loads(
+            (ROOT / "results" / "record.schema.json").read_text())
+        self.assertLessEqual(set(schema["required"]), set(record))
+
+    def test_only_times_differ_between_runs_and_threads(self):
+        def run(threads):
+            return self.record("--encoder=half,quadrant,tiv", "--spp=2",
+                               f"--threads={threads}", *QUICK)
+
+        one = json.dumps(stable(run(1)))
+        self.assertEqual(one, json.dumps(stable(run(2))))
+        self.assertEqual(one, json.dumps(stable(run(1))))
+
+    def test_json_file_leaves_the_table_on_stdout(self):
+        text = self.succeed("--encoder=half", "--json=a/r.json", *QUICK)
+        self.assertIn(b"FLIP@40PPD", text)
+        record = json.loads((self.folder / "a" / "r.json").read_text())
+        self.assertEqual(record["schema"], 1)
+
+    def test_json_stdout_is_json_alone(self):
+        process = self.run_program("--encoder=half", "--json=-", "--preview",
+                                   *QUICK)
+        json.loads(process.stdout)
+        self.assertIn("▄".encode(), process.stderr)
+
+    def test_preview(self):
+        text = self.succeed("--encoder=half", "--preview", *QUICK).decode()
+        self.assertEqual(text.count("▄"), 48)
+        self.assertIn("\x1b[", text)
+        plain = self.succeed("--encoder=half", "--preview", *QUICK,
+                             env={"NO_COLOR": "1"}).decode()
+        self.assertEqual(plain.count("▄"), 48)
+        self.assertNotIn("\x1b", plain)
+
+    def test_out(self):
+        self.succeed("--encoder=half,quadrant:split=best", "--out=d/e", *QUICK)
+        out = self.folder / "d" / "e"
+        self.assertEqual(
+            sorted(p.name for p in out.iterdir()),
+            sorted(["record.json", "reference.png"] +
+                   [name + end for name in ("half", "quadrant_split_best")
+                    for end in (".json", ".ansi", ".png")]))
+        width, height, pixels = read_png((out / "half.png").read_bytes())
+        self.assertEqual((width, height), (96, 64))
+        grid = json.loads((out / "half.json").read_text())
+        top = grid["cells"][0][2]
+        self.assertEqual("#%02x%02x%02x" % pixels[0], top)
+        # What was written scores as the record says, up to the PNG's rounding.
+        scores = json.loads(self.succeed(
+            "score", f"--reference={out}/reference.png",
+            f"--cells={out}/half.json", "--json=-"))["metrics"]
+        record = json.loads((out / "record.json").read_text())
+        self.assertEqual(scores, record["runs"][0]["metrics"])
+
+    def test_other_grids_reduce_to_the_smaller_raster(self):
+        # 24 x 8 cells are 192 x 128 pixels of the same aspect as 96 x 64.
+        self.succeed("render", "--scene=cornell", "--size=96x64",
+                     "--output=r.png", "--spp=16")
+        args = ["--scene=cornell", "--grid=24x8", "--repeat=1",
+                "--encoder=quadrant", "--reference=r.png"]
+        text = self.succeed(*args).decode()
+        self.assertIn("24x8 cells; compared at 96x64 pixels", text)
+        self.fail_with(2, *args, "--grid=24x9")  # given twice
+        self.fail_with(2, "--scene=cornell", "--grid=24x9", "--encoder=half",
+                       "--reference=r.png",
+                       says=("aspect", "--reference=self"))
+
+    def test_exposure_applies_to_both_sides(self):
+        dark = self.record("--encoder=tiv", "--exposure=-6", *QUICK)
+        self.assertGreater(dark["runs"][0]["metrics"]["psnr"], 25)
+        self.assertEqual(dark["manifest"]["settings"]["exposure"], -6)
+
+    def test_progress_and_notes_go_to_stderr_unless_quiet(self):
+        args = ["--scene=cornell", "--grid=6x2", "--repeat=1",
+                "--encoder=half"]
+        loud = self.run_program(*args, "--reference=self")
+        self.assertIn(b"100 %", loud.stderr)
+        quiet = self.run_program(*args, "--reference=self", "--quiet")
+        self.assertEqual(quiet.stderr, b"")
+
+    def test_errors(self):
+        base = ["--scene=cornell", "--encoder=half", "--repeat=1"]
+        self.fail_with(2, "--encoder=half", says=("scene", "cornell"))
+        self.fail_with(2, says=("scene", "cornell"))
+        for grid in ("120", "axb", "0x40", "-3x2", "120x", "5000x1",
+                     "1e3x1", "99999999999x1", ""):
+            self.fail_with(2, *base, f"--grid={grid}", says="120x40")
+        self.fail_with(2, *base, "--grid=4096x4096", says="smaller grid")
+        self.fail_with(2, *base, "--repeat=0", says="--repeat")
+        self.fail_with(2, *base, "--cell=8", says="8x16")
+        self.fail_with(2, *base, "--decode=exact", says="geometric or font")
+        self.fail_with(2, *base, "--grid=6x2", "--reference=cycles",
+                       says=("cycles", "--reference=self"))
+        self.fail_with(2, *base, "--grid=6x2", "--reference=gone.exr",
+                       says="gone.exr")
+        self.fail_with(2, *base, "--grid=6x2", "--reference=povray",
+                       "--time=1", says=("time 0", "--reference=self"))
+        self.fail_with(2, "--scene=cornell", "--encoder=", says="--encoder")
+        self.fail_with(2, "--scene=cornell", "--encoder=quadrant:splt=best",
+                       says="split")
+        self.fail_with(2, *base, "--color=16", says="--color")
+        self.fail_with(2, *base, "--font=gone.ttf", "--decode=font",
+                       "--grid=6x2", "--reference=self", "--quiet",
+                       says="gone.ttf")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""`rtbench score`: images, ANSI and cells against a reference."""
+
+import json
+import unittest
+
+from pictures import gradient, png
+from program import ProgramTest
+
+METRICS = ["flip", "flip_ppd30", "flip_ppd67", "flip_p95", "mse", "psnr",
+           "rmse_linear", "rel_mse", "ssim", "ms_ssim", "ciede2000",
+           "ciede2000_p95"]
+
+
+class ScoreTest(ProgramTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("a.png", png(32, 32, gradient))
+
+    def metrics(self, *args):
+        record = json.loads(self.succeed("score", "--reference=a.png", *args,
+                                         "--json=-"))
+        self.assertEqual(list(record), ["schema", "metrics"])
+        self.assertEqual(record["schema"], 1)
+        return record["metrics"]
+
+    def test_an_image_against_itself(self):
+        metrics = self.metrics("--image=a.png")
+        self.assertEqual(list(metrics), METRICS)
+        for name in METRICS:
+            expected = {"psnr": None, "ssim": 1, "ms_ssim": None}.get(name, 0)
+            self.assertEqual(metrics[name], expected, name)
+
+    def test_mse_of_a_known_difference(self):
+        def brighter(x, y):
+            return tuple(min(c, 250) + 5 for c in gradient(x, y))
+
+        self.write("b.png", png(32, 32, brighter))
+        squares = [(p - q) ** 2 for y in range(32) for x in range(32)
+                   for p, q in zip(brighter(x, y), gradient(x, y))]
+        expected = sum(squares) / len(squares) / 255 ** 2
+        self.assertAlmostEqual(self.metrics("--image=b.png")["mse"], expected,
+                               delta=1e-6 * expected)
+
+    def test_ansi_and_cells_of_one_grid_score_the_same(self):
+        args = ["encode", "--input=a.png", "--encoder=quadrant", "--grid=4x2"]
+        self.succeed(*args, "--output=grid.ansi")
+        self.succeed(*args, "--output=grid.json")
+        ansi = self.metrics("--ansi=grid.ansi", "--grid=4x2")
+        self.assertEqual(ansi, self.metrics("--cells=grid.json"))
+        self.assertGreater(ansi["mse"], 0)
+
+    def test_standard_input(self):
+        args = ["encode", "--input=a.png", "--encoder=quadrant", "--grid=4x2"]
+        text = self.succeed(*args)
+        record = json.loads(self.succeed(
+            "score", "--reference=a.png", "--ansi=-", "--grid=4x2",
+            "--json=-", stdin=text))
+        self.assertEqual(list(record["metrics"]), METRICS)
+
+    def test_lines_and_a_json_file(self):
+        text = self.succeed("score", "--reference=a.png", "--image=a.png",
+                            "--json=out.json").decode()
+        lines = dict(line.split() for line in text.splitlines())
+        self.assertEqual(list(lines), METRICS)
+        self.assertEqual(lines["psnr"], "-")
+        self.assertEqual(lines["flip"], "0")
+        record = json.loads((self.folder / "out.json").read_text())
+        self.assertEqual(record["metrics"]["flip"], 0)
+
+    def test_other_sizes_are_reduced(self):
+        # Every pixel doubled: the area average gives the original back.
+        self.write("large.png",
+                   png(64, 64, lambda x, y: gradient(x // 2, y // 2)))
+        self.assertLess(self.metrics("--image=large.png")["mse"], 1e-10)
+
+    def test_grids_against_each_other(self):
+        cells = [["▄", "#ff0000", "#0000ff"], [" ", "#123456", "#0000ff"],
+                 ["█", "#ff0000", "#0000ff"]]
+        other = [["▀", "#ff0000", "#0000ff"], ["\u00a0", "#ffffff", "#0000ff"],
+                 ["█", "#ff0001", "#00ff00"]]
+        for name, row in (("a.json", cells), ("b.json", other)):
+            self.write(name, json.dumps(
+                {"columns": 3, "rows": 1, "cells": row}))
+        record = json.loads(self.succeed("score", "--cells=a.json",
+                                         "--against=b.json", "--json=-"))
+        self.assertEqual(record["difference"], {"total": 3, "cells": 2,
+                                                "glyphs": 1, "colors": 1})
+
+    def test_errors(self):
+        self.write("wide.png", png(33, 32, gradient))
+        self.write("broken.json", '{"columns": 3')
+        self.fail_with(2, "score", says="--reference")
+        self.fail_with(2, "score", "--reference=a.png", says="--image")
+        self.fail_with(2, "score", "--reference=a.png", "--image=a.png",
+                       "--cells=x", says="one of")
+        self.fail_with(2, "score", "--reference=a.png", "--image=gone.png",
+                       says="gone.png")
+        self.fail_with(2, "score", "--reference=a.png", "--image=wide.png",
+                       says=("32x32", "33x32", "aspect"))
+        self.fail_with(2, "score", "--reference=a.png", "--ansi=a.png",
+                       says="--grid")
+        self.fail_with(2, "score", "--reference=a.png", "--cells=broken.json",
+                       says="broken.json")
+
+
+if __name__ == "__main__":
+    unittest.main()
