@@ -73,17 +73,15 @@ std::string BandRenderer::NameOf(const RowBand& band) const {
 }
 
 std::vector<std::string> BandRenderer::Command(const RowBand& band) const {
-  const auto share = [&](int row) {
-    return PovNumber(static_cast<double>(row) / request_.height);
-  };
   return {"povray",
           "+Iscene.pov",
           "+O" + NameOf(band) + ".part.exr",
           "+FE",  // EXR, half
           "+W" + std::to_string(request_.width * side_),
           "+H" + std::to_string((band.end - band.begin) * side_),
-          "Declare=BandTop=" + share(band.begin),
-          "Declare=BandBottom=" + share(band.end),
+          "Declare=BandRows=" + std::to_string(request_.height),
+          "Declare=BandBegin=" + std::to_string(band.begin),
+          "Declare=BandEnd=" + std::to_string(band.end),
           "+Q9",  // every feature
           "-A",   // no antialiasing: one ray through each center
           "-UA",  // no alpha

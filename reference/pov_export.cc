@@ -18,17 +18,25 @@ Error CannotExpress(const Scene& scene, const SourceMark& mark,
                   "use another reference, e.g. --reference=self");
 }
 
-/// Refuses meshes with shading normals anywhere below an object.
-Status CheckFlatShaded(const Scene& scene, const Object& object) {
-  const auto* mesh = std::get_if<Mesh>(&object.shape);
-  if (mesh && mesh->smooth &&
-      !scene.meshes[static_cast<std::size_t>(mesh->data)].normals.empty()) {
-    return Fail(CannotExpress(scene, object.mark,
-                              "`smooth: true` of mesh " + mesh->file.string() +
-                                  " with the format's shading normals"));
+/// What of a mesh is missing in the FlatScene; empty = nothing.
+std::string MissingOf(const Scene& scene, const Mesh& mesh) {
+  if (mesh.subdivide != 0) return "`subdivide`, which it does not have";
+  if (!mesh.smooth || mesh.data == kNone) return "";
+  const auto& data = scene.meshes[static_cast<std::size_t>(mesh.data)];
+  return data.normals.empty() ? ""
+                              : "`smooth: true` of a mesh with normals as ours";
+}
+
+/// Refuses what of the meshes at and below an object is not exported.
+Status CheckMeshes(const Scene& scene, const Object& object) {
+  if (const auto* mesh = std::get_if<Mesh>(&object.shape)) {
+    const std::string missing = MissingOf(scene, *mesh);
+    if (!missing.empty()) {
+      return Fail(CannotExpress(scene, object.mark, missing));
+    }
   }
   for (const Object& child : object.children) {
-    RTB_RETURN_IF_ERROR(CheckFlatShaded(scene, child));
+    RTB_RETURN_IF_ERROR(CheckMeshes(scene, child));
   }
   return {};
 }
@@ -43,7 +51,7 @@ Status CheckExpressible(const Scene& scene, const FlatScene& flat) {
     RTB_RETURN_IF_ERROR(CheckPovLight(scene, light));
   }
   for (const Object& object : scene.objects) {
-    RTB_RETURN_IF_ERROR(CheckFlatShaded(scene, object));
+    RTB_RETURN_IF_ERROR(CheckMeshes(scene, object));
   }
   if (std::holds_alternative<ImageBackground>(scene.background.kind)) {
     return Fail(CannotExpress(scene, scene.background.mark,
@@ -64,20 +72,24 @@ std::string Header(const Scene& scene) {
          "specular 0 phong 0 brilliance 1 } }\n";
 }
 
-/// The picture's rows from BandTop to BandBottom (shares of its height) fill
-/// the image: bands of a picture can be rendered one by one.
+/// The rows BandBegin <= row < BandEnd of a picture of BandRows rows fill the
+/// image, so that a picture can be rendered in bands. These come from the
+/// command line as integers: there POV-Ray keeps single precision only.
 std::string CameraText(const CameraFrame& camera, double scale) {
   const double side = 2 * camera.tan_half_vfov;
   const std::string up = PovVector(camera.up * side);
-  return "#ifndef (BandTop) #declare BandTop = 0; #end\n"
-         "#ifndef (BandBottom) #declare BandBottom = 1; #end\n"
-         "#declare Band = BandBottom - BandTop;\n"
+  return "#ifndef (BandRows)\n"
+         "  #declare BandRows = 1; #declare BandBegin = 0; "
+         "#declare BandEnd = 1;\n"
+         "#end\n"
+         "#declare Share = (BandEnd - BandBegin) / BandRows;\n"
+         "#declare Middle = (BandBegin + BandEnd) / (2 * BandRows);\n"
          "camera {\n  perspective\n  location " +
          PovVector(camera.position * scale) + "\n  right " +
          PovVector(camera.right * side) +
-         " * (Band * image_width / image_height)\n  up " + up +
-         " * Band\n  direction " + PovVector(camera.forward) + " + " + up +
-         " * (0.5 - (BandTop + BandBottom) / 2)\n}\n";
+         " * (Share * image_width / image_height)\n  up " + up +
+         " * Share\n  direction " + PovVector(camera.forward) + " + " + up +
+         " * (0.5 - Middle)\n}\n";
 }
 
 struct BackgroundWriter {

@@ -6,11 +6,12 @@
 namespace rtb {
 namespace {
 
+/// Adding 0 turns -0 into 0.
 template <class T>
 std::string Shortest(T value) {
   std::array<char, 32> text;
   const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+      std::to_chars(text.data(), text.data() + text.size(), value + T(0)).ptr;
   return std::string(text.data(), end);
 }
 
