@@ -31,6 +31,21 @@ double ReadFieldOfView(MapReader& reader) {
   return vfov;
 }
 
+/// The view at time 0 has a direction, and `up` is another one.
+/// @param key what the direction comes from.
+void CheckView(MapReader& reader, const Camera& camera, const char* key) {
+  if (camera.direction.length() < kSmallestPositive) {
+    reader.context().Fail(reader.MarkOf(key),
+                          "`look_at` is the camera's own position, expected "
+                          "another point");
+  } else if (AreParallel(camera.direction, camera.up)) {
+    reader.context().Fail(
+        reader.MarkOf(reader.Has("up") ? "up" : key),
+        "`up` is parallel to the view, expected another direction",
+        "for a view straight up or down, up: [0, 0, -1] will do");
+  }
+}
+
 }  // namespace
 
 void SceneReader::ReadCamera(MapReader& root) {
@@ -69,24 +84,16 @@ void SceneReader::ReadView(MapReader& reader, Camera* camera) {
   }
   reader.Finish();
   if (!context_.ok()) return;
-  const auto offset = [&](Index path) {
-    return path == kNone
-               ? V3d(0, 0, 0)
-               : scene_.paths[static_cast<std::size_t>(path)].points[0];
-  };
   if (camera->has_look_at) {
-    camera->direction = camera->look_at + offset(camera->look_path) -
-                        camera->position - offset(camera->path);
+    camera->direction = camera->look_at + FirstOffset(camera->look_path) -
+                        camera->position - FirstOffset(camera->path);
   }
-  if (camera->direction.length() < kSmallestPositive) {
-    context_.Fail(reader.MarkOf(key),
-                  "`look_at` is the camera's own position, expected another "
-                  "point");
-  } else if (AreParallel(camera->direction, camera->up)) {
-    context_.Fail(reader.MarkOf(reader.Has("up") ? "up" : key),
-                  "`up` is parallel to the view, expected another direction",
-                  "for a view straight up or down, up: [0, 0, -1] will do");
-  }
+  CheckView(reader, *camera, key);
+}
+
+V3d SceneReader::FirstOffset(Index path) const {
+  if (path == kNone) return V3d(0, 0, 0);
+  return scene_.paths[static_cast<std::size_t>(path)].points[0];
 }
 
 }  // namespace rtb

@@ -43,6 +43,8 @@ class SceneReader {
   void ReadBump(MapReader& material, Material* result);
   void ReadCamera(MapReader& root);
   void ReadView(MapReader& camera, Camera* result);
+  /// A path's offset at time 0; zero without a path.
+  V3d FirstOffset(Index path) const;
   void ReadBackground(MapReader& root);
   void ReadSettings(MapReader& root);
   void ReadLights(MapReader& root);
