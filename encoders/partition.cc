@@ -35,7 +35,7 @@ SampleMask BestPartition(std::span<const V3d> samples) {
   std::array<V3d, 1 << (kMaxSamples - 1)> sums;
   sums[0] = V3d(0);
   SampleMask best = 0;
-  double best_gain = 0;
+  double to_beat = 0;
   for (SampleMask on = 1; on < end; ++on) {
     const auto lowest = static_cast<std::size_t>(std::countr_zero(on));
     sums[on] = sums[on & (on - 1)] + samples[lowest];
@@ -45,8 +45,8 @@ SampleMask BestPartition(std::span<const V3d> samples) {
     const auto n1 = static_cast<double>(std::popcount(on));
     const V3d lead = count * sums[on] - n1 * total;
     const double gain = lead.length2() / (count * n1 * (count - n1));
-    if (gain > best_gain + kNoise * std::sqrt(best_gain)) {
-      best_gain = gain;
+    if (gain > to_beat) {
+      to_beat = gain + kNoise * std::sqrt(gain);
       best = on;
     }
   }

@@ -1,6 +1,9 @@
 #include "reference/pov_bands.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <system_error>
@@ -34,7 +37,9 @@ Rgb PixelMean(const Image& rays, int x, int y, int n) {
 
 Result<double> ReadSeconds(const std::filesystem::path& file) {
   RTB_ASSIGN_OR_RETURN(const std::string text, ReadFile(file, 100));
-  return std::strtod(text.c_str(), nullptr);
+  double seconds = 0;
+  std::from_chars(text.data(), text.data() + text.size(), seconds);
+  return seconds;
 }
 
 }  // namespace
@@ -72,10 +77,12 @@ std::string BandRenderer::NameOf(const RowBand& band) const {
   return "rows_" + std::to_string(band.begin) + "_" + std::to_string(band.end);
 }
 
-std::vector<std::string> BandRenderer::Command(const RowBand& band) const {
+std::vector<std::string> BandRenderer::Command(const RowBand& band,
+                                               std::string output) const {
+  if (output.empty()) output = NameOf(band) + ".exr";
   return {"povray",
           "+Iscene.pov",
-          "+O" + NameOf(band) + ".part.exr",
+          "+O" + output,
           "+FE",  // EXR, half
           "+W" + std::to_string(request_.width * side_),
           "+H" + std::to_string((band.end - band.begin) * side_),
@@ -93,9 +100,9 @@ std::vector<std::string> BandRenderer::Command(const RowBand& band) const {
           "-GS"};
 }
 
-Status BandRenderer::Run(const RowBand& band) const {
+Status BandRenderer::Run(const RowBand& band, const std::string& output) const {
   ProcessOptions options;
-  options.argv = Command(band);
+  options.argv = Command(band, output);
   // POV-Ray's own restrictions let it write only below here and /tmp.
   options.directory = folder_;
   RTB_ASSIGN_OR_RETURN(const ProcessResult result, RunProcess(options));
@@ -114,16 +121,19 @@ Result<double> BandRenderer::Render(const RowBand& band) const {
   if (std::filesystem::exists(file(".exr"), error)) {
     return ReadSeconds(file(".seconds"));
   }
+  // A povray that outlived an interrupted run may still be writing its own.
+  const std::string part =
+      NameOf(band) + "." + std::to_string(::getpid()) + ".part.exr";
   const auto start = std::chrono::steady_clock::now();
-  RTB_RETURN_IF_ERROR(Run(band));
+  RTB_RETURN_IF_ERROR(Run(band, part));
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
           .count();
   RTB_RETURN_IF_ERROR(
       WriteFileAtomically(file(".seconds"), PovNumber(seconds)));
-  std::filesystem::rename(file(".part.exr"), file(".exr"), error);
+  std::filesystem::rename(folder_ / part, file(".exr"), error);
   if (error) {
-    return Fail(Failure(file(".part.exr").string(), error.message()));
+    return Fail(Failure((folder_ / part).string(), error.message()));
   }
   return seconds;
 }

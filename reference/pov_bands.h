@@ -43,11 +43,13 @@ class BandRenderer {
   Result<Image> Averaged(const RowBand& band) const;
 
   /// The command line for a band, as run inside the folder.
-  std::vector<std::string> Command(const RowBand& band) const;
+  /// @param output the file it writes; empty = the finished band.
+  std::vector<std::string> Command(const RowBand& band,
+                                   std::string output = "") const;
 
  private:
   std::string NameOf(const RowBand& band) const;
-  Status Run(const RowBand& band) const;
+  Status Run(const RowBand& band, const std::string& output) const;
 
   std::filesystem::path folder_;
   ReferenceRequest request_;

@@ -16,12 +16,15 @@ struct Extent {
   int levels = 1;   ///< Of nesting, its own included.
 };
 
+bool MayBeInstanced(const Object& object) {
+  return std::holds_alternative<Group>(object.shape) ||
+         std::holds_alternative<Mesh>(object.shape);
+}
+
 /// Walks the tree, each instanced group only once.
 class Composer {
  public:
-  explicit Composer(const Scene& scene) : scene_(scene) {
-    for (const Object& object : scene.objects) Index(object);
-  }
+  explicit Composer(const Scene& scene) : scene_(scene) {}
 
   Status Check() {
     int total = 0;
@@ -33,11 +36,6 @@ class Composer {
   }
 
  private:
-  void Index(const Object& object) {
-    if (!object.id.empty()) by_id_.emplace(object.id, &object);
-    for (const Object& child : object.children) Index(child);
-  }
-
   tl::unexpected<Error> FailAt(SourceMark mark, std::string what,
                                std::string hint = "") const {
     return Fail(BadInput(PlaceOf(scene_.file.string(), mark), std::move(what),
@@ -93,18 +91,14 @@ class Composer {
   }
 
   Result<const Object*> Target(const Instance& instance) const {
-    const auto found = by_id_.find(instance.of);
-    if (found == by_id_.end()) {
+    const Object* target = FindObject(scene_, instance.of);
+    if (target == nullptr) {
       return FailAt(instance.of_mark,
                     "`of` names `" + instance.of.substr(0, 64) +
                         "`, which no object has as its id",
                     Suggestion(instance.of));
     }
-    const Object* target = found->second;
-    if (std::holds_alternative<Group>(target->shape) ||
-        std::holds_alternative<Mesh>(target->shape)) {
-      return target;
-    }
+    if (MayBeInstanced(*target)) return target;
     return FailAt(
         instance.of_mark,
         "`of` names `" + instance.of + "`, which is neither a group nor a mesh",
@@ -114,11 +108,8 @@ class Composer {
   std::string Suggestion(const std::string& id) const {
     constexpr std::size_t kMostListed = 12;
     std::vector<std::string> ids;
-    for (const auto& [known, object] : by_id_) {
-      if (std::holds_alternative<Group>(object->shape) ||
-          std::holds_alternative<Mesh>(object->shape)) {
-        ids.push_back(known);
-      }
+    for (const auto& [known, place] : scene_.object_places) {
+      if (MayBeInstanced(*FindObject(scene_, known))) ids.push_back(known);
     }
     if (ids.empty()) return "no group or mesh has an id";
     std::sort(ids.begin(), ids.end());
@@ -129,7 +120,6 @@ class Composer {
   }
 
   const Scene& scene_;
-  std::unordered_map<std::string, const Object*> by_id_;
   std::unordered_map<const Object*, Extent> known_;
   std::vector<const Object*> open_;  ///< Groups around the current object.
 };

@@ -23,6 +23,7 @@ Result<Scene> ParseScene(const std::string& text,
   SceneReader reader(file, context);
   reader.Read(YamlNode(tree, 0));
   if (!context.ok()) return Fail(context.error());
+  IndexObjects(&reader.scene());
   RTB_RETURN_IF_ERROR(CheckComposition(reader.scene()));
   reader.scene().sha256 = Sha256(text);
   return std::move(reader.scene());

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -249,9 +250,16 @@ struct Scene {
   /// What was mended on loading (e.g. degenerate triangles of a mesh that were
   /// dropped), one sentence each.
   std::vector<std::string> warnings;
+  /// Where objects with an id stand: positions among siblings, from the root.
+  /// Filled by IndexObjects; FindObject does without, but slowly.
+  std::unordered_map<std::string, std::vector<Index>> object_places;
 };
 
 /// The object with this id anywhere in the tree, or nullptr.
 const Object* FindObject(const Scene& scene, const std::string& id);
+
+/// Makes FindObject fast; to be called again when the tree has changed. The
+/// loader does it.
+void IndexObjects(Scene* scene);
 
 }  // namespace rtb

@@ -73,6 +73,7 @@ class SceneReader {
 
 /// Checks what concerns the tree as a whole: instances name groups or meshes
 /// and never themselves; composition stays within the limits.
+/// The scene's objects have been indexed.
 /// @return the first error.
 Status CheckComposition(const Scene& scene);
 

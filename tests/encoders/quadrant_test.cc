@@ -56,6 +56,15 @@ TEST(QuadrantTest, MeansAreRoundedHalfUp) {
             (Cell{U'▐', Gray(131), Gray(11)}));
 }
 
+// The mean of neighboring codes is k + 0.5, whatever single precision makes of
+// the way to linear light and back. On are the two whites.
+TEST(QuadrantTest, EveryMeanOfNeighboringCodesIsRoundedUp) {
+  for (int code = 0; code < 254; ++code) {
+    EXPECT_EQ(EncodeOneGray("quadrant", {code, 255, code + 1, 255}),
+              (Cell{U'▐', Gray(255), Gray(code + 1)}));
+  }
+}
+
 // HSP: red 255 sqrt(0.299) = 139, green 255 sqrt(0.587) = 195, blue 255
 // sqrt(0.114) = 86; mean of red, green, blue and black 105.
 TEST(QuadrantTest, BrightnessWeighsTheChannels) {
@@ -106,6 +115,19 @@ TEST(QuadrantTest, RangeLeavesTheMiddleOff) {
 TEST(QuadrantTest, BestTakesTheLowerOfEqualPartitions) {
   EXPECT_EQ(EncodeOneGray("quadrant:split=best", {0, 100, 100, 200}),
             (Cell{U'▟', Gray(133), Gray(0)}));
+}
+
+// The same for every step: exact ties of 8-bit codes are ties.
+TEST(QuadrantTest, BestSeesEveryTieOfCodes) {
+  for (int step = 1; step <= 100; ++step) {
+    for (const int low : {0, 7, 55}) {
+      EXPECT_EQ(EncodeOneGray("quadrant:split=best",
+                              {low, low + step, low + step, low + 2 * step})
+                    .glyph,
+                U'▟')
+          << low << " " << step;
+    }
+  }
 }
 
 // 299 * 65^2 + 114 * 180^2 = 299 * 125^2 + 114 * 50^2, and green is the same:
