@@ -5,6 +5,7 @@
 #include <map>
 #include <system_error>
 
+#include "core/base/suggest.h"
 #include "reference/povray.h"
 
 namespace rtb {
@@ -33,14 +34,18 @@ std::optional<fs::path> Repository(fs::path start) {
   }
 }
 
-std::string Names(const std::vector<NamedScene>& scenes) {
-  if (scenes.empty()) {
-    return "no scene folder was found: set RTBENCH_DATA to a folder that "
-           "holds scenes/";
+/// Says which scenes there are.
+Error SceneError(const std::string& what, const std::string& given,
+                 const std::vector<NamedScene>& scenes) {
+  std::vector<std::string> names;
+  for (const NamedScene& scene : scenes) names.push_back(scene.name);
+  if (names.empty()) {
+    return BadInput("--scene", what,
+                    "no scene folder was found: set RTBENCH_DATA to a folder "
+                    "that holds scenes/");
   }
-  std::string names = "scenes:";
-  for (const NamedScene& scene : scenes) names += " " + scene.name;
-  return names;
+  return BadInput("--scene", what + "; the scenes are " + JoinNames(names),
+                  DidYouMean(given, names));
 }
 
 }  // namespace
@@ -88,16 +93,15 @@ Result<fs::path> FindScene(const DataFolders& folders,
                            const std::string& name_or_file) {
   const std::vector<NamedScene> scenes = ListScenes(folders);
   if (name_or_file.empty()) {
-    return Fail(BadInput("--scene", "no scene is given", Names(scenes)));
+    return Fail(SceneError("no scene is given", "", scenes));
   }
   for (const NamedScene& scene : scenes) {
     if (scene.name == name_or_file) return scene.file;
   }
   if (Exists(name_or_file)) return fs::path(name_or_file);
-  return Fail(BadInput("--scene",
-                       "found '" + name_or_file +
-                           "', which is neither a scene's name nor a file",
-                       Names(scenes)));
+  return Fail(SceneError("found '" + name_or_file +
+                             "', which is neither a scene's name nor a file",
+                         name_or_file, scenes));
 }
 
 fs::path ReferenceFolder(const fs::path& scene_file) {

@@ -1,8 +1,12 @@
 #include "harness/reference_choice.h"
 
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
 #include "core/image/io.h"
 #include "harness/lookup.h"
 #include "harness/rasters.h"
+#include "reference/pov_export.h"
 
 namespace rtb {
 namespace {
@@ -11,10 +15,28 @@ bool IsRenderer(const std::string& name) {
   return name == "povray" || name == "cycles";
 }
 
+/// Whether a reference's provenance says that it shows this scene: the same
+/// file, or one that means the same to POV-Ray. Without provenance it is
+/// believed.
+bool Shows(const std::filesystem::path& reference, const Scene& scene) {
+  const auto text = ReadFile(reference.string() + ".json");
+  if (!text) return true;
+  const auto provenance = nlohmann::json::parse(*text, nullptr, false);
+  if (!provenance.is_object()) return false;
+  using Pointer = nlohmann::json::json_pointer;
+  const auto says = [&](const char* key, const std::string& sha256) {
+    return provenance.value(Pointer(key), nlohmann::json()) == sha256;
+  };
+  if (says("/scene/sha256", scene.sha256)) return true;
+  const auto exported = ExportPov(scene, 0);
+  return exported && says("/sdl_sha256", Sha256(*exported));
+}
+
 std::string DefaultChoice(const PreparedScene& scene) {
   if (scene.options.time != 0) return "self";
   for (const char* renderer : {"povray", "cycles"}) {
-    if (FindReference(scene.file, renderer)) return renderer;
+    const auto file = FindReference(scene.file, renderer);
+    if (file && Shows(*file, *scene.scene)) return renderer;
   }
   return "self";
 }
@@ -42,9 +64,11 @@ Result<std::filesystem::path> CommittedFile(const std::string& renderer,
                          "take --reference=self, or --time=0"));
   }
   const auto file = FindReference(scene.file, renderer);
-  if (file) return *file;
+  if (file && Shows(*file, *scene.scene)) return *file;
   return Fail(BadInput(
-      "--reference", "this scene has no " + renderer + " reference",
+      "--reference",
+      file ? file->string() + " shows another version of this scene"
+           : "this scene has no " + renderer + " reference",
       renderer == "povray"
           ? "render it with `rtbench reference --renderer=povray`, or take "
             "--reference=self"

@@ -155,7 +155,7 @@ void AddOptions(CLI::App& app, BenchOptions& options) {
           {"--encoder", "SPEC[,SPEC...]|all", options.request.encoders,
            "name[:key=value...]; see `list encoders`"},
           options.request.encoders);
-  AddGrid(app, options.request.grid);
+  AddGrid(app, options.request.grid, "120x40");
   AddDecodeOptions(app, options.request.decode);
   AddText(app,
           {"--reference", "povray|cycles|self|FILE", "the first that there is",

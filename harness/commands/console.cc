@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include "core/base/file.h"
 
@@ -29,6 +31,37 @@ bool WriteAll(int descriptor, std::string_view bytes) {
   }
   return true;
 }
+
+/// A share in percent, rewritten in place on a terminal. Elsewhere a line
+/// every ten seconds, so that short jobs leave nothing in a log.
+class Progress {
+ public:
+  Progress() = default;
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() {
+    if (open_) WriteToStderr("\n");
+  }
+
+  void Show(double share, const std::string& what) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < (in_place_ ? kRefresh : kLogged)) return;
+    last_ = now;
+    const std::string text = Printable(what) + " " +
+                             std::to_string(static_cast<int>(share * 100)) +
+                             " %";
+    WriteToStderr(in_place_ ? "\r\033[K" + text : text + "\n");
+    open_ = in_place_;
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kRefresh{100};
+  static constexpr std::chrono::milliseconds kLogged{10000};
+  bool in_place_ = ::isatty(STDERR_FILENO) != 0;
+  bool open_ = false;
+  std::chrono::steady_clock::time_point last_ =
+      std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
@@ -89,20 +122,9 @@ bool ColorsUnwanted() {
 
 std::function<void(double, const std::string&)> ProgressLine(bool quiet) {
   if (quiet) return [](double, const std::string&) {};
-  const bool in_place = ::isatty(STDERR_FILENO) != 0;
-  return [in_place, last = -1](double share, const std::string& what) mutable {
-    const int step = static_cast<int>(share * (in_place ? 100 : 10));
-    if (step == last) return;
-    last = step;
-    const int percent = static_cast<int>(share * 100);
-    const std::string text =
-        Printable(what) + " " + std::to_string(percent) + " %";
-    if (in_place) {
-      WriteToStderr("\r\033[K" + text + (percent == 100 ? "\n" : ""));
-    } else {
-      WriteToStderr(text + "\n");
-    }
-  };
+  return
+      [line = std::make_shared<Progress>()](
+          double share, const std::string& what) { line->Show(share, what); };
 }
 
 }  // namespace rtb

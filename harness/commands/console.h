@@ -43,9 +43,9 @@ bool OutputIsTerminal();
 /// empty).
 bool ColorsUnwanted();
 
-/// A line on standard error that shows a share in percent: rewritten in place
-/// on a terminal, one line for each tenth elsewhere. Prints nothing when
-/// `quiet`.
+/// Shows the share of a long job in percent on standard error: a line that is
+/// rewritten in place on a terminal, one line every ten seconds elsewhere.
+/// Prints nothing when `quiet`.
 std::function<void(double share, const std::string& what)> ProgressLine(
     bool quiet);
 

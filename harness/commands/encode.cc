@@ -110,17 +110,16 @@ void AddOptions(CLI::App& app, EncodeOptions& options) {
           {"--encoder", "SPEC", "", "name[:key=value...]; see `list encoders`"},
           options.encoder)
       ->required();
-  AddGrid(app, options.grid);
+  AddGrid(app, options.grid, "120x40");
   AddParsed(app,
             {"--fit", "contain|stretch|cover", "contain",
              "How an image of another aspect fits the grid"},
             options.fit, ParseFit);
   AddDecodeOptions(app, options.decode);
-  AddText(app,
+  AddWord(app,
           {"--format", "ansi|json|svg|png", "by --output's extension, or ansi",
            "What is written"},
-          options.format)
-      ->check(CLI::IsMember({"ansi", "json", "svg", "png"}));
+          options.format, {"ansi", "json", "svg", "png"});
   AddText(app, {"--output", "FILE|-", "-", "Where to"}, options.output);
 }
 

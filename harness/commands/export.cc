@@ -25,9 +25,9 @@ Status Export(const ExportOptions& options) {
 
 void AddOptions(CLI::App& app, ExportOptions& options) {
   AddSceneName(app, options.scene);
-  AddText(app, {"--format", "pov", "", "pov: POV-Ray 3.7"}, options.format)
-      ->required()
-      ->check(CLI::IsMember({"pov"}));
+  AddWord(app, {"--format", "pov", "", "pov: POV-Ray 3.7"}, options.format,
+          {"pov"})
+      ->required();
   AddTime(app, options.time);
   AddText(app, {"--output", "FILE|-", "-", "Where to"}, options.output);
 }

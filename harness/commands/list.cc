@@ -1,18 +1,21 @@
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "core/render/backend.h"
 #include "core/scene/load.h"
 #include "encoders/registry.h"
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
+#include "harness/commands/options.h"
 #include "harness/lookup.h"
 #include "harness/metrics/metric.h"
 #include "harness/results/run_record_json.h"
+#include "harness/results/table.h"
 
 namespace rtb {
 namespace {
+
+constexpr char kParameters[] = "parameters";
 
 struct ListOptions {
   std::string what;
@@ -33,7 +36,7 @@ Json Encoders() {
                     {"samples_per_cell", entry.info.samples_per_cell},
                     {"glyphs", entry.info.glyphs},
                     {"description", entry.info.description},
-                    {"parameters", parameters}});
+                    {kParameters, parameters}});
   }
   return list;
 }
@@ -53,11 +56,10 @@ Json Scenes() {
 Json BackendList() {
   Json list = Json::array();
   for (const BackendInfo& backend : Backends()) {
-    Json entry = {{"name", backend.name},
-                  {"available", backend.available},
-                  {"description", backend.description}};
-    if (!backend.available) entry["why_not"] = backend.why_not;
-    list.push_back(entry);
+    list.push_back({{"name", backend.name},
+                    {"available", backend.available},
+                    {"why_not", backend.available ? "" : backend.why_not},
+                    {"description", backend.description}});
   }
   return list;
 }
@@ -75,41 +77,46 @@ Json MetricList() {
 Json Glyphs() {
   Json list = Json::array();
   for (const EncoderEntry& entry : EncoderEntries()) {
-    list.push_back(
-        {{"encoder", entry.info.name}, {"description", entry.info.glyphs}});
+    list.push_back({{"name", entry.info.name}, {"glyphs", entry.info.glyphs}});
   }
   return list;
 }
 
-/// A value of an entry as a word of text.
+/// A value as a cell of a table.
 std::string Word(const Json& value) {
-  if (value.is_boolean()) return value.get<bool>() ? "available" : "missing";
-  return value.is_string() ? Printable(value.get<std::string>()) : value.dump();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// One entry a line, its description last; an encoder's parameters below it.
-std::string Lines(const Json& list) {
-  std::string text;
-  for (const Json& entry : list) {
-    std::string name = Word(entry.front());
-    name.resize(std::max<std::size_t>(name.size(), 13), ' ');
-    text += name;
-    for (const auto& [key, value] : entry.items()) {
-      if (key == "samples_per_cell") text += Word(value) + " samples  ";
-      if (key == "available") text += Word(value) + "  ";
-      if (key == "better") text += Word(value) + " is better  ";
-    }
-    text += Word(entry["description"]);
-    if (entry.contains("glyphs")) text += "; " + Word(entry["glyphs"]);
-    if (entry.contains("why_not")) text += " (" + Word(entry["why_not"]) + ")";
-    text += "\n";
-    for (const Json& parameter : entry.value("parameters", Json::array())) {
-      text += "    " + Word(parameter["name"]) + "=" +
-              Word(parameter["default"]) + "  [" + Word(parameter["values"]) +
-              "]  " + Word(parameter["description"]) + "\n";
+/// Entries as a table whose columns are their keys, `parameters` left out.
+std::string TableOf(const Json& entries) {
+  Table table;
+  for (const auto& [key, value] : entries.front().items()) {
+    if (key != kParameters) {
+      table.columns.push_back({key, value.is_number()});
     }
   }
-  return text;
+  for (const Json& entry : entries) {
+    std::vector<std::string>& row = table.rows.emplace_back();
+    for (const TableColumn& column : table.columns) {
+      row.push_back(Word(entry[column.heading]));
+    }
+  }
+  return FormatTable(table);
+}
+
+/// A table, and one of all parameters where entries have some.
+std::string Text(const Json& list) {
+  if (list.empty()) return "";
+  Json all = Json::array();
+  for (const Json& entry : list) {
+    for (const Json& parameter : entry.value(kParameters, Json::array())) {
+      Json row = {{"parameter of", entry["name"]}};
+      row.update(parameter);
+      all.push_back(row);
+    }
+  }
+  return TableOf(list) + (all.empty() ? "" : "\n" + TableOf(all));
 }
 
 Status List(const ListOptions& options) {
@@ -119,21 +126,14 @@ Status List(const ListOptions& options) {
   if (options.what == "backends") list = BackendList();
   if (options.what == "metrics") list = MetricList();
   if (options.what == "glyphs") list = Glyphs();
-  return options.json ? WriteJson("-", list) : WriteOutput("-", Lines(list));
+  return options.json ? WriteJson("-", list) : WriteOutput("-", Text(list));
 }
 
 void AddOptions(CLI::App& app, ListOptions& options) {
-  app.add_option("WHAT", options.what,
-                 "encoders, scenes, backends, metrics or glyphs")
-      ->required()
-      ->check([](const std::string& given) -> std::string {
-        for (const char* known :
-             {"encoders", "scenes", "backends", "metrics", "glyphs"}) {
-          if (given == known) return "";
-        }
-        return "found '" + given +
-               "', expected encoders, scenes, backends, metrics or glyphs";
-      });
+  AddWord(app,
+          {"WHAT", "", "", "encoders, scenes, backends, metrics or glyphs"},
+          options.what, {"encoders", "scenes", "backends", "metrics", "glyphs"})
+      ->required();
   app.add_flag("--json", options.json, "As JSON");
 }
 

@@ -58,6 +58,13 @@ CLI::Option* AddInteger(CLI::App& app, const OptionText& text, int& value,
                    });
 }
 
+CLI::Option* AddWord(CLI::App& app, const OptionText& text, std::string& value,
+                     const std::vector<std::string>& words) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& word : words) pairs.emplace_back(word, word);
+  return AddParsed(app, text, value, OneOf(pairs));
+}
+
 void AddSceneName(CLI::App& app, std::string& scene) {
   AddText(app,
           {"--scene", "NAME|FILE", "",
@@ -95,11 +102,10 @@ void AddSceneOptions(CLI::App& app, SceneRequest& request) {
           {"--backend", AvailableBackends(), request.backend,
            "What traces the rays (see `list backends`)"},
           request.backend);
-  AddParsed(app,
-            {"--integrator", "whitted", request.options.integrator,
-             "How light is transported"},
-            request.options.integrator,
-            OneOf<std::string>({{"whitted", "whitted"}}));
+  AddWord(app,
+          {"--integrator", "whitted", request.options.integrator,
+           "How light is transported"},
+          request.options.integrator, {"whitted"});
   AddSpp(app, request.options.spp);
   AddTime(app, request.options.time);
   AddSeed(app, request.options.seed);
@@ -110,10 +116,10 @@ void AddSceneOptions(CLI::App& app, SceneRequest& request) {
              request.options.max_depth, 0, kMaxDepth);
 }
 
-CLI::Option* AddGrid(CLI::App& app, GridSize& grid) {
-  return AddParsed(
-      app, {"--grid", "COLSxROWS", "120x40", "Size of the grid of cells"}, grid,
-      ParseGrid);
+void AddGrid(CLI::App& app, GridSize& grid, const std::string& default_value) {
+  AddParsed(app,
+            {"--grid", "COLSxROWS", default_value, "Size of the grid of cells"},
+            grid, ParseGrid);
 }
 
 void AddDecodeOptions(CLI::App& app, DecodeOptions& options) {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "encoders/decode.h"
 #include "harness/arguments.h"
@@ -33,10 +34,14 @@ CLI::Option* AddParsedWith(CLI::App& app, const OptionText& text, Parse parse,
   const auto take = [name, parse, set](const std::string& given) {
     set(*parse(name, given));
   };
-  return app.add_option_function<std::string>(name, take, text.description)
+  const std::string shown_default =
+      text.default_value.empty() ? ""
+                                 : " (default: " + text.default_value + ")";
+  return app
+      .add_option_function<std::string>(name, take,
+                                        text.description + shown_default)
       ->check(check, "")
-      ->type_name(text.type)
-      ->default_str(text.default_value);
+      ->type_name(text.type);
 }
 
 /// The same into a variable.
@@ -53,6 +58,10 @@ CLI::Option* AddText(CLI::App& app, const OptionText& text, std::string& value);
 /// A whole number in [low, high].
 CLI::Option* AddInteger(CLI::App& app, const OptionText& text, int& value,
                         int low, int high);
+
+/// One of a few words.
+CLI::Option* AddWord(CLI::App& app, const OptionText& text, std::string& value,
+                     const std::vector<std::string>& words);
 
 /// --scene alone.
 void AddSceneName(CLI::App& app, std::string& scene);
@@ -79,8 +88,8 @@ void AddThreads(CLI::App& app, int& threads);
 /// --max-depth.
 void AddSceneOptions(CLI::App& app, SceneRequest& request);
 
-/// --grid.
-CLI::Option* AddGrid(CLI::App& app, GridSize& grid);
+/// --grid. @param default_value empty: none is shown.
+void AddGrid(CLI::App& app, GridSize& grid, const std::string& default_value);
 /// --cell --decode --font.
 void AddDecodeOptions(CLI::App& app, DecodeOptions& options);
 /// --json=FILE|-.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/manifest.h"
+#include "core/base/suggest.h"
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 
@@ -55,9 +56,10 @@ Result<std::vector<std::string>> WithCommand(const CLI::App& program,
   }
   const std::vector<std::string> names = CommandNames(program);
   if (std::find(names.begin(), names.end(), first) != names.end()) return args;
-  std::string known = "commands:";
-  for (const std::string& name : names) known += " " + name;
-  return Fail(BadInput("", "unknown command '" + first + "'", known));
+  return Fail(BadInput(
+      "",
+      "unknown command '" + first + "', expected one of " + JoinNames(names),
+      DidYouMean(first, names)));
 }
 
 /// Parses; help and version are Actions too.
@@ -68,8 +70,10 @@ Result<Action> Parse(CLI::App& program, Action& selected,
     program.parse(args);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = program.get_subcommands();
-    const CLI::App& app = chosen.empty() ? program : *chosen.front();
-    return [text = app.help()] { return WriteOutput("-", text); };
+    const std::string text = chosen.empty()
+                                 ? program.help()
+                                 : chosen.front()->help(program.get_name());
+    return [text] { return WriteOutput("-", text); };
   } catch (const CLI::CallForVersion& version) {
     return [text = std::string(version.what()) + "\n"] {
       return WriteOutput("-", text);

@@ -41,10 +41,9 @@ Status WriteReference(const ReferenceOptions& options) {
 
 void AddOptions(CLI::App& app, ReferenceOptions& options) {
   AddSceneName(app, options.scene);
-  AddText(app, {"--renderer", "povray", "", "povray: POV-Ray 3.7"},
-          options.renderer)
-      ->required()
-      ->check(CLI::IsMember({"povray", "cycles"}));
+  AddWord(app, {"--renderer", "povray", "", "povray: POV-Ray 3.7"},
+          options.renderer, {"povray", "cycles"})
+      ->required();
   AddParsed(app, {"--size", "WxH", "960x640", "Pixels of the reference"},
             options.size, ParseImageSize);
   AddSpp(app, options.request.spp);

@@ -135,7 +135,7 @@ void AddOptions(CLI::App& app, ScoreOptions& options) {
           {"--against", "FILE|-", "",
            "Cells as JSON that --cells is compared with, cell by cell"},
           options.against);
-  AddGrid(app, options.grid)->default_str("");
+  AddGrid(app, options.grid, "");
   AddExposure(app, options.exposure, "0");
   AddDecodeOptions(app, options.decode);
   AddThreads(app, options.threads);

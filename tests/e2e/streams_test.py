@@ -48,7 +48,7 @@ class StreamsTest(ProgramTest):
     def test_unwritable_folder(self):
         self.write("file", "")
         self.fail_with(1, *self.encode, "--output=file/out.ansi",
-                       says="file/out.ansi")
+                       says="file")
         self.fail_with(1, "--scene=cornell", "--encoder=half", "--grid=6x2",
                        "--reference=self", "--out=file/dir", "--quiet",
                        says="file/dir")

@@ -77,7 +77,8 @@ TEST_F(Lookup, UnknownScenesListTheKnownOnes) {
   ASSERT_FALSE(scene.has_value());
   EXPECT_EQ(scene.error().kind, ErrorKind::kBadInput);
   EXPECT_THAT(scene.error().what, HasSubstr("'cornel'"));
-  EXPECT_EQ(scene.error().hint, "scenes: cornell whitted");
+  EXPECT_THAT(scene.error().what, HasSubstr("cornell, whitted"));
+  EXPECT_THAT(scene.error().hint, HasSubstr("did you mean `cornell`?"));
 }
 
 TEST_F(Lookup, AFolderIsNoScene) {
