@@ -1,6 +1,7 @@
 #include "core/base/parallel.h"
 
 #include <pmmintrin.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -45,8 +46,10 @@ void ParallelFor(int count, int grain, int threads,
     return;
   }
   // An arena of our own bounds the threads: Embree's device installs no
-  // process-wide limit this way.
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  // process-wide limit this way. Asking for more threads than there are cores
+  // would make TBB print a warning.
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
   arena.execute([&] {
     tbb::parallel_for(0, blocks, run_block, tbb::simple_partitioner());
   });

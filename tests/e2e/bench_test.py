@@ -82,6 +82,10 @@ class BenchTest(ProgramTest):
         self.assertEqual(one, json.dumps(stable(run(2))))
         self.assertEqual(one, json.dumps(stable(run(1))))
 
+    def test_more_threads_than_cores_say_nothing(self):
+        process = self.run_program("--encoder=half", "--threads=99", *QUICK)
+        self.assertEqual((process.returncode, process.stderr), (0, b""))
+
     def test_json_file_leaves_the_table_on_stdout(self):
         text = self.succeed("--encoder=half", "--json=a/r.json", *QUICK)
         self.assertIn(b"FLIP@40PPD", text)

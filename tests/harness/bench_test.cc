@@ -1,0 +1,99 @@
+#include "harness/bench.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/harness/temporary_folder.h"
+
+namespace rtb {
+namespace {
+
+using ::testing::Gt;
+using ::testing::Optional;
+
+constexpr char kScene[] =
+    "rtbench_scene: 1\n"
+    "name: sky\n"
+    "camera: {position: [0, 0, 0], look_at: [0, 0, -1], vfov: 40}\n"
+    "background: {type: constant, color: [0.25, 0.5, 0]}\n"
+    "settings: {exposure: 1}\n";
+
+class BenchTest : public ::testing::Test {
+ protected:
+  BenchTest() {
+    request_.scene.scene = folder_.Write("sky.yaml", kScene).string();
+    request_.encoders = "half,quadrant";
+    request_.grid = {6, 2};
+    request_.repeat = 3;
+  }
+
+  Result<BenchResult> Run() {
+    return Bench(request_, [this](double share, const std::string&) {
+      EXPECT_GT(share, share_);
+      share_ = share;
+    });
+  }
+
+  TemporaryFolder folder_;
+  BenchRequest request_;
+  double share_ = 0;
+};
+
+// One color everywhere: any encoder draws it exactly. Exposed by the scene's
+// stop it is (0.5, 1, 0): codes 188 (187.516), 255 and 0.
+TEST_F(BenchTest, AUniformSceneIsDrawnExactly) {
+  const BenchResult result = Run().value();
+  ASSERT_EQ(result.pictures.size(), 2u);
+  EXPECT_EQ(result.pictures[0].encoder, "half");
+  EXPECT_EQ(result.pictures[0].grid.size, (GridSize{6, 2}));
+  EXPECT_EQ(result.pictures[0].grid.at(5, 1).fg, (Rgb8{188, 255, 0}));
+  EXPECT_EQ(result.pictures[1].decoded.width(), 48);
+  for (const RunResult& run : result.record.runs) {
+    EXPECT_EQ(FindMetricValue(run, "mse"), 0);
+    EXPECT_EQ(FindMetricValue(run, "psnr"), std::nullopt);
+    EXPECT_EQ(FindMetricValue(run, "flip"), 0);
+  }
+}
+
+TEST_F(BenchTest, RecordsWhatWasDone) {
+  request_.scene.options.seed = 9;
+  request_.scene.exposure = -1;
+  const RunRecord record = Run()->record;
+  EXPECT_EQ(record.manifest.settings.backend, "embree");
+  EXPECT_EQ(record.manifest.settings.seed, 9u);
+  EXPECT_EQ(record.manifest.settings.exposure, -1);
+  EXPECT_EQ(record.manifest.settings.reference, "self");
+  ASSERT_EQ(record.manifest.inputs.size(), 1u);
+  EXPECT_EQ(record.manifest.inputs[0].name, "sky.yaml");
+  ASSERT_EQ(record.runs.size(), 2u);
+  EXPECT_EQ(record.runs[1].rays_per_cell, 4);
+  EXPECT_EQ(record.runs[1].raster, (PixelSize{48, 32}));
+}
+
+TEST_F(BenchTest, TakesAsManyTimesAsAsked) {
+  const RunRecord record = Run()->record;
+  for (const RunResult& run : record.runs) {
+    for (const char* stage : {"render", "encode"}) {
+      const StageTimes* times = FindStage(run, stage);
+      ASSERT_NE(times, nullptr);
+      EXPECT_EQ(times->samples.size(), 3u);
+      EXPECT_EQ(times->cpu_samples.size(), 3u);
+    }
+    EXPECT_THAT(FramesPerSecond(run), Optional(Gt(0.0)));
+  }
+  EXPECT_EQ(share_, 1);
+}
+
+TEST_F(BenchTest, FailsBeforeTheWork) {
+  request_.encoders = "half,thirds";
+  EXPECT_FALSE(Run().has_value());
+  request_.encoders = "half";
+  request_.grid = {4096, 4096};
+  const auto result = Run();
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().place, "--grid");
+  EXPECT_EQ(share_, 0);
+}
+
+}  // namespace
+}  // namespace rtb
