@@ -1,7 +1,6 @@
 #include "harness/rasters.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "core/color/srgb.h"
@@ -15,9 +14,7 @@ namespace {
 constexpr double kAspectTolerance = 1e-3;
 
 bool HoldsLinearLight(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = LowerExtension(file);
   return extension == ".exr" || extension == ".hdr" || extension == ".pfm";
 }
 

@@ -7,8 +7,6 @@
 #include "core/image/io.h"
 
 namespace rtb {
-namespace {
-
 std::string LowerExtension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(
@@ -16,8 +14,6 @@ std::string LowerExtension(const std::filesystem::path& file) {
       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
-
-}  // namespace
 
 Image DisplayEncoded(const Image& linear, double exposure,
                      bool round_to_8_bits) {
@@ -33,19 +29,23 @@ Image DisplayEncoded(const Image& linear, double exposure,
   return encoded;
 }
 
-Status WriteRender(const std::filesystem::path& file, const Image& linear,
-                   double exposure) {
+Status CheckRenderFile(const std::filesystem::path& file) {
   const std::string extension = LowerExtension(file);
-  if (extension == ".exr") return WriteExr(file, linear, ExrType::kFloat);
-  if (extension == ".png") {
-    return WritePng(file, DisplayEncoded(linear, exposure, true));
-  }
-  if (extension == ".ppm") {
-    return WriteFileAtomically(
-        file, EncodePpm(DisplayEncoded(linear, exposure, true)));
+  if (extension == ".exr" || extension == ".png" || extension == ".ppm") {
+    return {};
   }
   return Fail(BadInput(file.string(), "has the extension '" + extension + "'",
                        "the formats are .ppm, .png and .exr"));
+}
+
+Status WriteRender(const std::filesystem::path& file, const Image& linear,
+                   double exposure) {
+  RTB_RETURN_IF_ERROR(CheckRenderFile(file));
+  const std::string extension = LowerExtension(file);
+  if (extension == ".exr") return WriteExr(file, linear, ExrType::kFloat);
+  const Image encoded = DisplayEncoded(linear, exposure, true);
+  if (extension == ".png") return WritePng(file, encoded);
+  return WriteFileAtomically(file, EncodePpm(encoded));
 }
 
 }  // namespace rtb

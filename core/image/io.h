@@ -37,6 +37,12 @@ Status WritePng(const std::filesystem::path& file, const Image& encoded);
 /// a line, as the format asks.
 std::string EncodePpm(const Image& encoded);
 
+/// `.png` for `a/b.PNG`.
+std::string LowerExtension(const std::filesystem::path& file);
+
+/// Success when WriteRender knows the file's extension.
+Status CheckRenderFile(const std::filesystem::path& file);
+
 /// Writes by extension: .ppm and .png sRGB-encoded and clipped after
 /// `exposure` stops, .exr (float) linear and unexposed. Any other extension
 /// is an Error that lists these.

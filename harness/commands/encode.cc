@@ -77,8 +77,7 @@ Status WritePicture(const CellGrid& grid, const EncodeOptions& options) {
 
 std::string FormatOf(const EncodeOptions& options) {
   if (!options.format.empty()) return options.format;
-  const std::string extension =
-      std::filesystem::path(options.output).extension().string();
+  const std::string extension = LowerExtension(options.output);
   for (const char* format : {"json", "svg", "png"}) {
     if (extension == "." + std::string(format)) return format;
   }

@@ -40,19 +40,8 @@ Status RenderTo(const std::filesystem::path& file, const PreparedScene& scene,
   return WriteRender(file, image, scene.exposure);
 }
 
-/// Fails before rendering where WriteRender would after it.
-Status CheckExtension(const std::filesystem::path& output) {
-  const std::string extension = output.extension().string();
-  if (extension == ".ppm" || extension == ".png" || extension == ".exr") {
-    return {};
-  }
-  return Fail(BadInput("--output", "found '" + output.string() +
-                                       "', expected a file that ends in "
-                                       ".ppm, .png or .exr"));
-}
-
 Status Render(const RenderCommandOptions& options) {
-  RTB_RETURN_IF_ERROR(CheckExtension(options.output));
+  RTB_RETURN_IF_ERROR(CheckRenderFile(options.output));
   RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(options.scene));
   const double start = scene.options.time;
   if (options.frames == 0) {

@@ -140,6 +140,19 @@ class BenchTest(ProgramTest):
                        "--reference=r.png",
                        says=("aspect", "--reference=self"))
 
+    def test_committed_references_are_the_default(self):
+        for scene in ("cornell", "whitted"):
+            record = self.record(f"--scene={scene}", "--grid=12x4",
+                                 "--repeat=1", "--encoder=quadrant")
+            self.assertEqual(record["manifest"]["settings"]["reference"],
+                             "povray")
+            self.assertEqual([f["role"] for f in record["manifest"]["inputs"]],
+                             ["scene", "reference"])
+            run, = record["runs"]
+            self.assertEqual(run["raster"], [96, 64])
+            self.assertEqual(run["reference_raster"], [960, 640])
+            self.assertGreater(run["metrics"]["psnr"], 15)
+
     def test_exposure_applies_to_both_sides(self):
         dark = self.record("--encoder=tiv", "--exposure=-6", *QUICK)
         self.assertGreater(dark["runs"][0]["metrics"]["psnr"], 25)
