@@ -176,6 +176,7 @@ Result<BenchResult> Bench(
   manifest.settings = SharedSettings(request, scene, reference);
   RTB_ASSIGN_OR_RETURN(manifest.inputs, Inputs(request, scene, reference));
   result.reference = std::move(reference.display);
+  result.notes = std::move(reference.notes);
   RTB_RETURN_IF_ERROR(RunRounds(request, scene, progress, configurations));
   for (Configuration& configuration : configurations) {
     RTB_RETURN_IF_ERROR(Evaluate(request, scene, configuration, result));
