@@ -22,6 +22,7 @@ struct Configuration {
   std::string spec;
   std::unique_ptr<Encoder> encoder;
   Encoding encoding;
+  StageTimes plan{"plan", {}, {}};
   StageTimes render{"render", {}, {}};
   StageTimes encode{"encode", {}, {}};
 };
@@ -70,6 +71,7 @@ Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
                        RunEncoder(*configuration.encoder, source, request.grid,
                                   CellAspect(request.decode), context));
   if (!warm_up) {
+    AddTime(run.plan, configuration.plan);
     AddTime(run.render, configuration.render);
     AddTime(run.encode, configuration.encode);
   }
@@ -115,7 +117,7 @@ Status Evaluate(const BenchRequest& request, const PreparedScene& scene,
   run.rays_per_cell = configuration.encoding.rays_per_cell;
   run.raster = {pair.test.width(), pair.test.height()};
   run.reference_raster = pair.reference_size;
-  run.times = {configuration.render, configuration.encode};
+  run.times = {configuration.plan, configuration.render, configuration.encode};
   RTB_ASSIGN_OR_RETURN(run.metrics,
                        Score(pair.reference, pair.test, scene.options.threads));
   result.record.runs.push_back(std::move(run));

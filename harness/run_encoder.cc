@@ -1,7 +1,9 @@
 #include "harness/run_encoder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <optional>
 
 #include "harness/arguments.h"
 
@@ -31,25 +33,43 @@ class Stopwatch {
   double cpu_start_ = CpuMilliseconds();
 };
 
-/// Passes queries on and adds up what they take.
+Cost operator+(const Cost& a, const Cost& b) {
+  return {a.wall_ms + b.wall_ms, a.cpu_ms + b.cpu_ms};
+}
+
+Cost operator-(const Cost& a, const Cost& b) {
+  return {a.wall_ms - b.wall_ms, a.cpu_ms - b.cpu_ms};
+}
+
+/// Passes queries on and adds up what they take. Its clock starts with it.
 class TimedSource : public FragmentSource {
  public:
   explicit TimedSource(FragmentSource& source) : source_(source) {}
 
   Result<Fragments> Query(const SamplePlan& plan) override {
-    const Stopwatch stopwatch;
+    const Cost begin = stopwatch_.Read();
+    if (!first_query_) first_query_ = begin;
     auto fragments = source_.Query(plan);
-    const Cost cost = stopwatch.Read();
-    total_.wall_ms += cost.wall_ms;
-    total_.cpu_ms += cost.cpu_ms;
+    inside_ = inside_ + (stopwatch_.Read() - begin);
     return fragments;
   }
 
-  Cost total() const { return total_; }
+  /// Writes what it took up to now.
+  void Report(TimedEncoding& timed) const {
+    const Cost total = stopwatch_.Read();
+    timed.plan = first_query_.value_or(Cost{});
+    timed.render = inside_;
+    timed.encode = total - timed.plan - timed.render;
+    // Rounding alone can take it below 0.
+    timed.encode.cpu_ms = std::max(timed.encode.cpu_ms, 0.0);
+    timed.encode.wall_ms = std::max(timed.encode.wall_ms, 0.0);
+  }
 
  private:
   FragmentSource& source_;
-  Cost total_;
+  Cost inside_;
+  std::optional<Cost> first_query_;
+  Stopwatch stopwatch_;
 };
 
 }  // namespace
@@ -60,15 +80,11 @@ Result<TimedEncoding> RunEncoder(const Encoder& encoder, FragmentSource& source,
   // Before a plan of the whole grid is made.
   const SamplePlan one = encoder.Plan({1, 1}, cell_aspect, context.seed);
   RTB_RETURN_IF_ERROR(CheckSampleCount("--grid", grid, one.samples_per_cell));
-  TimedSource timed_source(source);
   TimedEncoding timed;
-  const Stopwatch stopwatch;
+  TimedSource timed_source(source);
   RTB_ASSIGN_OR_RETURN(timed.encoding,
                        encoder.Run(timed_source, grid, cell_aspect, context));
-  const Cost total = stopwatch.Read();
-  timed.render = timed_source.total();
-  timed.encode = {total.wall_ms - timed.render.wall_ms,
-                  total.cpu_ms - timed.render.cpu_ms};
+  timed_source.Report(timed);
   return timed;
 }
 

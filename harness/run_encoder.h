@@ -1,5 +1,5 @@
 /// @file
-/// Runs an encoder on a source and times its two halves apart.
+/// Runs an encoder on a source and times its parts apart.
 #pragma once
 
 #include "encoders/encoder.h"
@@ -12,11 +12,14 @@ struct Cost {
   double cpu_ms = 0;  ///< Of all threads of the process.
 };
 
-/// An encoding and what it cost.
+/// An encoding and what it cost: the three parts are all of Encoder::Run.
 struct TimedEncoding {
   Encoding encoding;
-  Cost render;  ///< Inside the source.
-  Cost encode;  ///< All the rest.
+  Cost plan;    ///< Until the source is asked first.
+  Cost render;  ///< Inside the source: rays, and exposure where it is not 0.
+  /// From the first fragments on, outside the source: encoding, freeing the
+  /// fragments, and the plans of further rounds where an encoder asks again.
+  Cost encode;
 };
 
 /// Plans, asks the source and encodes.

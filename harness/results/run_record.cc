@@ -21,7 +21,9 @@ std::optional<double> FramesPerSecond(const RunResult& run) {
   const StageTimes* render = FindStage(run, "render");
   const StageTimes* encode = FindStage(run, "encode");
   if (render == nullptr || encode == nullptr) return std::nullopt;
-  const double ms = Median(render->samples) + Median(encode->samples);
+  const StageTimes* plan = FindStage(run, "plan");
+  const double ms = (plan != nullptr ? Median(plan->samples) : 0) +
+                    Median(render->samples) + Median(encode->samples);
   if (!(ms > 0)) return std::nullopt;
   return 1000 / ms;
 }

@@ -21,8 +21,8 @@ namespace rtb {
 /// Version of the records' form; to be raised when a key changes its meaning.
 inline constexpr int kRecordSchema = 1;
 
-/// Repeated timings of one stage of a run (`render`, `encode`, ...), in
-/// milliseconds and in the order they were taken.
+/// Repeated timings of one stage of a run (`plan`, `render`, `encode`: see
+/// TimedEncoding), in milliseconds and in the order they were taken.
 struct StageTimes {
   std::string stage;
   std::vector<double> samples;      ///< Wall time; at least one.
@@ -99,8 +99,8 @@ const StageTimes* FindStage(const RunResult& run, const std::string& stage);
 std::optional<double> FindMetricValue(const RunResult& run,
                                       const std::string& metric);
 
-/// Frames per second if every frame took the median times of rendering and
-/// encoding; none without both.
+/// Frames per second if every frame took the median times of planning,
+/// rendering and encoding; none without the latter two.
 std::optional<double> FramesPerSecond(const RunResult& run);
 
 }  // namespace rtb

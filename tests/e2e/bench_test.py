@@ -68,7 +68,7 @@ class BenchTest(ProgramTest):
         self.assertEqual(run["encoder"], "tiv")
         self.assertEqual(run["grid"], [12, 4])
         self.assertEqual(run["rays_per_cell"], 32)
-        for stage in ("render", "encode"):
+        for stage in ("plan", "render", "encode"):
             times = run["ms"][stage]
             self.assertEqual(len(times["samples"]), 1)
             self.assertLessEqual(times["lo"], times["median"])

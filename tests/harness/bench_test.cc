@@ -93,7 +93,7 @@ TEST_F(BenchTest, RecordsEveryFileThatItOpened) {
 TEST_F(BenchTest, TakesAsManyTimesAsAsked) {
   const RunRecord record = Run()->record;
   for (const RunResult& run : record.runs) {
-    for (const char* stage : {"render", "encode"}) {
+    for (const char* stage : {"plan", "render", "encode"}) {
       const StageTimes* times = FindStage(run, stage);
       ASSERT_NE(times, nullptr);
       EXPECT_EQ(times->samples.size(), 3u);

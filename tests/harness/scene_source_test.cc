@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "harness/prepared_scene.h"
 #include "harness/run_encoder.h"
 
@@ -58,31 +61,72 @@ TEST(RenderImage, PutsPixelsRowByRow) {
   EXPECT_EQ(image.at(0, 1), Rgb(300.0f));
 }
 
+/// How long each part takes on purpose, in milliseconds.
+struct Delays {
+  int plan = 0;
+  int query = 0;
+  int encode = 0;
+};
+
+void Sleep(int ms) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+}
+
 /// Plans `samples` a cell and draws nothing.
 class IdleEncoder : public Encoder {
  public:
-  explicit IdleEncoder(int samples) : samples_(samples) {}
+  explicit IdleEncoder(int samples, Delays delays = {})
+      : samples_(samples), delays_(delays) {}
   SamplePlan Plan(GridSize grid, double aspect,
                   std::uint64_t /*seed*/) const override {
+    if (grid.cells() > 1) Sleep(delays_.plan);
     return RegularPlan(grid, samples_, 1, aspect);
   }
   CellGrid Encode(const Fragments& fragments,
                   const EncodeContext& /*context*/) const override {
+    Sleep(delays_.encode);
     return CellGrid(fragments.grid);
   }
 
  private:
   int samples_;
+  Delays delays_;
 };
 
-TEST(RunEncoder, TimesBothHalves) {
-  CountingBackend backend;
-  SceneSource source(backend, {}, 0);
-  const TimedEncoding run =
-      RunEncoder(IdleEncoder(4), source, {64, 64}, 0.5, {}).value();
-  EXPECT_EQ(run.encoding.grid.size, (GridSize{64, 64}));
-  EXPECT_GT(run.render.wall_ms, 0);
-  EXPECT_GT(run.encode.wall_ms, 0);
+/// Answers late.
+class LateSource : public FragmentSource {
+ public:
+  explicit LateSource(int ms) : ms_(ms) {}
+  Result<Fragments> Query(const SamplePlan& plan) override {
+    Sleep(ms_);
+    return Fragments(plan);
+  }
+
+ private:
+  int ms_;
+};
+
+// A sleep is never too short, so each part takes at least its own, and no
+// other part can have it: each in turn is the longest by far.
+TEST(RunEncoder, TimesItsPartsApart) {
+  constexpr int kLong = 200;
+  const auto run = [](const Delays& delays) {
+    LateSource source(delays.query);
+    return RunEncoder(IdleEncoder(4, delays), source, {2, 2}, 0.5, {}).value();
+  };
+  const TimedEncoding plan = run({kLong, 0, 0});
+  EXPECT_GE(plan.plan.wall_ms, kLong);
+  EXPECT_LT(plan.render.wall_ms, kLong);
+  EXPECT_LT(plan.encode.wall_ms, kLong);
+  const TimedEncoding query = run({0, kLong, 0});
+  EXPECT_LT(query.plan.wall_ms, kLong);
+  EXPECT_GE(query.render.wall_ms, kLong);
+  EXPECT_LT(query.encode.wall_ms, kLong);
+  const TimedEncoding encode = run({0, 0, kLong});
+  EXPECT_LT(encode.plan.wall_ms, kLong);
+  EXPECT_LT(encode.render.wall_ms, kLong);
+  EXPECT_GE(encode.encode.wall_ms, kLong);
+  EXPECT_EQ(encode.encoding.grid.size, (GridSize{2, 2}));
 }
 
 TEST(RunEncoder, RefusesAbsurdGridsBeforePlanning) {

@@ -16,11 +16,14 @@ TEST(RunResultTest, FindsStagesAndMetrics) {
   EXPECT_EQ(FindMetricValue(run, "nonsense"), std::nullopt);
 }
 
-// Medians of 4 ms for rendering and 1 ms for encoding: 200 frames a second.
-TEST(RunResultTest, FramesPerSecondAddsRenderingAndEncoding) {
+// Medians of 4 ms for rendering and 1 ms for encoding: 200 frames a second;
+// with 5 ms for planning 100.
+TEST(RunResultTest, FramesPerSecondAddsAllStages) {
   RunResult run = SampleRecord().runs[0];
   EXPECT_DOUBLE_EQ(FramesPerSecond(run).value_or(0), 200);
-  run.times.pop_back();
+  run.times.push_back({"plan", {5}, {}});
+  EXPECT_DOUBLE_EQ(FramesPerSecond(run).value_or(0), 100);
+  run.times.erase(run.times.begin());
   EXPECT_FALSE(FramesPerSecond(run).has_value());
 }
 
