@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/math/random.h"
 #include "encoders/registry.h"
+#include "harness/cell_shape.h"
 #include "harness/rasters.h"
 #include "harness/reference_choice.h"
 #include "harness/run_encoder.h"
@@ -64,11 +65,9 @@ Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
   EncodeContext context;
   context.seed = scene.options.seed;
   context.threads = scene.options.threads;
-  const double aspect = static_cast<double>(request.decode.cell_width) /
-                        request.decode.cell_height;
   RTB_ASSIGN_OR_RETURN(TimedEncoding run,
                        RunEncoder(*configuration.encoder, source, request.grid,
-                                  aspect, context));
+                                  CellAspect(request.decode), context));
   if (!warm_up) {
     AddTime(run.render, configuration.render);
     AddTime(run.encode, configuration.encode);
@@ -102,7 +101,9 @@ Status Evaluate(const BenchRequest& request, const PreparedScene& scene,
   BenchPicture picture;
   picture.encoder = configuration.spec;
   picture.grid = std::move(configuration.encoding.grid);
-  RTB_ASSIGN_OR_RETURN(picture.decoded, Decode(picture.grid, request.decode));
+  DecodeOptions decode = request.decode;
+  decode.threads = scene.options.threads;
+  RTB_ASSIGN_OR_RETURN(picture.decoded, Decode(picture.grid, decode));
   RTB_ASSIGN_OR_RETURN(
       const RasterPair pair,
       MatchRasters(result.reference, picture.decoded, "--reference"));
@@ -132,7 +133,7 @@ RunSettings SharedSettings(const BenchRequest& request,
   settings.seed = scene.options.seed;
   settings.time = scene.options.time;
   settings.exposure = scene.exposure;
-  settings.cell = {request.decode.cell_width, request.decode.cell_height};
+  settings.cell = CellOf(request.decode);
   settings.reference = reference.name;
   settings.decode =
       request.decode.masks == MaskSource::kFont ? "font" : "geometric";
@@ -165,8 +166,7 @@ Result<BenchResult> Bench(
   RTB_ASSIGN_OR_RETURN(std::vector<Configuration> configurations,
                        MakeConfigurations(request.encoders));
   RTB_ASSIGN_OR_RETURN(const PixelSize raster,
-                       RasterSize(request.grid, {request.decode.cell_width,
-                                                 request.decode.cell_height}));
+                       RasterSize(request.grid, CellOf(request.decode)));
   RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(request.scene));
   RTB_ASSIGN_OR_RETURN(ReferencePicture reference,
                        ChooseReference(request.reference, scene, raster));
@@ -176,6 +176,7 @@ Result<BenchResult> Bench(
   manifest.settings = SharedSettings(request, scene, reference);
   RTB_ASSIGN_OR_RETURN(manifest.inputs, Inputs(request, scene, reference));
   result.reference = std::move(reference.display);
+  result.notes = std::move(reference.notes);
   RTB_RETURN_IF_ERROR(RunRounds(request, scene, progress, configurations));
   for (Configuration& configuration : configurations) {
     RTB_RETURN_IF_ERROR(Evaluate(request, scene, configuration, result));

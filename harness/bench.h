@@ -36,6 +36,7 @@ struct BenchResult {
   RunRecord record;
   std::vector<BenchPicture> pictures;
   Image reference;  ///< sRGB-encoded, rounded to 8 bits, at its own size.
+  std::vector<std::string> notes;  ///< What a user should know, if anything.
 };
 
 /// Runs the job. Times follow the protocol: three warm-up rounds, then

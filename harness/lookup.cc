@@ -48,6 +48,13 @@ Error SceneError(const std::string& what, const std::string& given,
                   DidYouMean(given, names));
 }
 
+fs::path ReferenceFolder(const fs::path& scene_file) {
+  std::error_code ignored;
+  const fs::path folder = fs::absolute(scene_file, ignored).parent_path();
+  if (folder.filename() == "scenes") return folder.parent_path() / "reference";
+  return "reference";
+}
+
 }  // namespace
 
 DataFolders FindDataFolders(const fs::path& executable,
@@ -104,17 +111,16 @@ Result<fs::path> FindScene(const DataFolders& folders,
                          name_or_file, scenes));
 }
 
-fs::path ReferenceFolder(const fs::path& scene_file) {
-  std::error_code ignored;
-  const fs::path folder = fs::absolute(scene_file, ignored).parent_path();
-  if (folder.filename() == "scenes") return folder.parent_path() / "reference";
-  return "reference";
+fs::path ReferenceFile(const fs::path& scene_file, const std::string& renderer,
+                       double time) {
+  return ReferencePath(ReferenceFolder(scene_file), scene_file.stem().string(),
+                       renderer, time);
 }
 
 std::optional<fs::path> FindReference(const fs::path& scene_file,
-                                      const std::string& renderer) {
-  const fs::path file = ReferencePath(ReferenceFolder(scene_file),
-                                      scene_file.stem().string(), renderer);
+                                      const std::string& renderer,
+                                      double time) {
+  const fs::path file = ReferenceFile(scene_file, renderer, time);
   if (Exists(file)) return file;
   return std::nullopt;
 }

@@ -39,13 +39,15 @@ std::vector<NamedScene> ListScenes(const DataFolders& folders);
 Result<std::filesystem::path> FindScene(const DataFolders& folders,
                                         const std::string& name_or_file);
 
-/// The committed reference of a scene file that stands in a folder `scenes`:
-/// in the folder `reference` beside that.
-std::optional<std::filesystem::path> FindReference(
-    const std::filesystem::path& scene_file, const std::string& renderer);
+/// The file of a scene's reference, there or not: in the folder `reference`
+/// beside the scene's folder `scenes`, else in the current folder's
+/// `reference`, under the name of ReferencePath.
+std::filesystem::path ReferenceFile(const std::filesystem::path& scene_file,
+                                    const std::string& renderer, double time);
 
-/// The folder for new references of a scene file: `reference` beside its
-/// folder `scenes`, else the current folder's `reference`.
-std::filesystem::path ReferenceFolder(const std::filesystem::path& scene_file);
+/// The same where it exists.
+std::optional<std::filesystem::path> FindReference(
+    const std::filesystem::path& scene_file, const std::string& renderer,
+    double time);
 
 }  // namespace rtb

@@ -60,9 +60,8 @@ Result<RasterPair> MatchRasters(const Image& reference, const Image& test,
   pair.reference_size = SizeOf(reference);
   pair.test_size = SizeOf(test);
   RTB_RETURN_IF_ERROR(CheckAspects(pair.reference_size, pair.test_size, place));
-  const PixelSize size =
-      std::min(pair.reference_size, pair.test_size,
-               [](PixelSize a, PixelSize b) { return a.width < b.width; });
+  const PixelSize size = {std::min(reference.width(), test.width()),
+                          std::min(reference.height(), test.height())};
   pair.reference = Reduce(reference, size);
   pair.test = Reduce(test, size);
   return pair;

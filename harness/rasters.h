@@ -30,8 +30,9 @@ struct RasterPair {
   PixelSize test_size;       ///< Before it was reduced.
 };
 
-/// Brings both to the smaller size by exact area averaging in linear light.
-/// Equal sizes stay as they are.
+/// Brings both to the smaller width and the smaller height, so that neither is
+/// enlarged, by exact area averaging in linear light. Equal sizes stay as they
+/// are.
 /// @param place names the reference in errors.
 /// @return kBadInput when the aspects differ by more than 0.1 %.
 Result<RasterPair> MatchRasters(const Image& reference, const Image& test,

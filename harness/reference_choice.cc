@@ -1,12 +1,9 @@
 #include "harness/reference_choice.h"
 
-#include <nlohmann/json.hpp>
-
-#include "core/base/file.h"
 #include "core/image/io.h"
 #include "harness/lookup.h"
+#include "harness/provenance.h"
 #include "harness/rasters.h"
-#include "reference/pov_export.h"
 
 namespace rtb {
 namespace {
@@ -15,30 +12,30 @@ bool IsRenderer(const std::string& name) {
   return name == "povray" || name == "cycles";
 }
 
-/// Whether a reference's provenance says that it shows this scene: the same
-/// file, or one that means the same to POV-Ray. Without provenance it is
-/// believed.
-bool Shows(const std::filesystem::path& reference, const Scene& scene) {
-  const auto text = ReadFile(reference.string() + ".json");
-  if (!text) return true;
-  const auto provenance = nlohmann::json::parse(*text, nullptr, false);
-  if (!provenance.is_object()) return false;
-  using Pointer = nlohmann::json::json_pointer;
-  const auto says = [&](const char* key, const std::string& sha256) {
-    return provenance.value(Pointer(key), nlohmann::json()) == sha256;
-  };
-  if (says("/scene/sha256", scene.sha256)) return true;
-  const auto exported = ExportPov(scene, 0);
-  return exported && says("/sdl_sha256", Sha256(*exported));
-}
+/// What is taken where nothing is asked for, and why.
+struct DefaultReference {
+  std::string name = "self";
+  std::vector<std::string> notes;
+};
 
-std::string DefaultChoice(const PreparedScene& scene) {
-  if (scene.options.time != 0) return "self";
+DefaultReference DefaultChoice(const PreparedScene& scene) {
+  DefaultReference choice;
   for (const char* renderer : {"povray", "cycles"}) {
-    const auto file = FindReference(scene.file, renderer);
-    if (file && Shows(*file, *scene.scene)) return renderer;
+    const auto file = FindReference(scene.file, renderer, scene.options.time);
+    if (!file) continue;
+    const Status fits =
+        CheckProvenance(*file, renderer, *scene.scene, scene.options.time);
+    if (fits) {
+      choice.name = renderer;
+      return choice;
+    }
+    choice.notes.push_back(fits.error().place + " " + fits.error().what +
+                           ": it is not used");
   }
-  return "self";
+  choice.notes.push_back(
+      "no reference image shows this scene at this time: the reference is our "
+      "own image");
+  return choice;
 }
 
 /// The scene's own depth and no seed: the picture that is to be approached
@@ -58,21 +55,25 @@ Result<ReferencePicture> RenderSelf(const PreparedScene& scene,
 
 Result<std::filesystem::path> CommittedFile(const std::string& renderer,
                                             const PreparedScene& scene) {
-  if (scene.options.time != 0) {
-    return Fail(BadInput("--reference",
-                         "the " + renderer + " reference shows time 0 only",
-                         "take --reference=self, or --time=0"));
-  }
-  const auto file = FindReference(scene.file, renderer);
-  if (file && Shows(*file, *scene.scene)) return *file;
-  return Fail(BadInput(
-      "--reference",
-      file ? file->string() + " shows another version of this scene"
-           : "this scene has no " + renderer + " reference",
+  const std::filesystem::path file =
+      ReferenceFile(scene.file, renderer, scene.options.time);
+  const std::string hint =
       renderer == "povray"
-          ? "render it with `rtbench reference --renderer=povray`, or take "
-            "--reference=self"
-          : "take --reference=self"));
+          ? "render it with `rtbench reference --renderer=povray` at the same "
+            "--time, or take --reference=self"
+          : "take --reference=self";
+  if (!FindReference(scene.file, renderer, scene.options.time)) {
+    return Fail(BadInput("--reference",
+                         "this scene has no " + renderer +
+                             " reference at this time: there is no " +
+                             file.string(),
+                         hint));
+  }
+  const Status fits =
+      CheckProvenance(file, renderer, *scene.scene, scene.options.time);
+  if (fits) return file;
+  return Fail(BadInput("--reference",
+                       fits.error().place + " " + fits.error().what, hint));
 }
 
 }  // namespace
@@ -80,13 +81,19 @@ Result<std::filesystem::path> CommittedFile(const std::string& renderer,
 Result<ReferencePicture> ChooseReference(const std::string& choice,
                                          const PreparedScene& scene,
                                          PixelSize raster) {
-  const std::string name = choice.empty() ? DefaultChoice(scene) : choice;
-  if (name == "self") return RenderSelf(scene, raster);
+  if (choice.empty()) {
+    const DefaultReference chosen = DefaultChoice(scene);
+    RTB_ASSIGN_OR_RETURN(ReferencePicture picture,
+                         ChooseReference(chosen.name, scene, raster));
+    picture.notes = chosen.notes;
+    return picture;
+  }
+  if (choice == "self") return RenderSelf(scene, raster);
   ReferencePicture picture;
-  picture.name = name;
-  picture.file = name;
-  if (IsRenderer(name)) {
-    RTB_ASSIGN_OR_RETURN(picture.file, CommittedFile(name, scene));
+  picture.name = choice;
+  picture.file = choice;
+  if (IsRenderer(choice)) {
+    RTB_ASSIGN_OR_RETURN(picture.file, CommittedFile(choice, scene));
   } else {
     picture.name = picture.file.filename().string();
   }

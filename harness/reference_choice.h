@@ -2,8 +2,8 @@
 /// The picture that a benchmark compares with.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "harness/prepared_scene.h"
 
@@ -17,14 +17,17 @@ struct ReferencePicture {
   Image display;     ///< sRGB-encoded, rounded to 8 bits.
   std::string name;  ///< `povray`, `cycles`, `self`, or a file's name.
   std::filesystem::path file;  ///< Empty for `self`.
+  /// What a user should know of a default choice, one sentence each.
+  std::vector<std::string> notes = {};
 };
 
 /// The reference of a scene for a raster of the given size.
 /// @param choice `povray`, `cycles`, `self`, a file, or empty: the first of
-///   the three that there is. Committed references show time 0; at another
-///   time the default is `self`.
-/// @return kBadInput when there is no such reference or its aspect is not the
-/// raster's.
+///   the three that there is. References by name are looked up for the scene's
+///   time; one that CheckProvenance refuses is not used by default, which the
+///   notes say.
+/// @return kBadInput when there is no such reference, CheckProvenance refuses
+/// it, or its aspect is not the raster's.
 Result<ReferencePicture> ChooseReference(const std::string& choice,
                                          const PreparedScene& scene,
                                          PixelSize raster);

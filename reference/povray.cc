@@ -11,6 +11,7 @@
 #include "core/image/io.h"
 #include "reference/pov_bands.h"
 #include "reference/pov_export.h"
+#include "reference/pov_text.h"
 
 namespace rtb {
 namespace {
@@ -107,7 +108,7 @@ nlohmann::ordered_json Provenance(const Scene& scene,
                                   const std::string& sdl,
                                   const Rendering& rendering) {
   return {
-      {"schema", 1},
+      {"schema", kProvenanceSchema},
       {"renderer", "povray"},
       {"version", version},
       {"scene", {{"name", scene.name}, {"sha256", scene.sha256}}},
@@ -165,8 +166,9 @@ Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
 
 std::filesystem::path ReferencePath(const std::filesystem::path& folder,
                                     const std::string& scene_name,
-                                    const std::string& renderer) {
-  return folder / (scene_name + "." + renderer + ".exr");
+                                    const std::string& renderer, double time) {
+  const std::string moment = time == 0 ? "" : ".t" + PovNumber(time);
+  return folder / (scene_name + moment + "." + renderer + ".exr");
 }
 
 }  // namespace rtb

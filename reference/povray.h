@@ -11,6 +11,9 @@
 
 namespace rtb {
 
+/// Version of the provenance's form.
+inline constexpr int kProvenanceSchema = 1;
+
 /// What to render.
 struct ReferenceRequest {
   int width = 960;
@@ -31,9 +34,12 @@ using Progress = std::function<void(double share, const std::string& what)>;
 Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
                           const Progress& progress);
 
-/// Where a scene's committed reference lives: `<folder>/<name>.<renderer>.exr`.
+/// Where a scene's reference lives: `<folder>/<name>.<renderer>.exr`, at any
+/// time but 0 `<folder>/<name>.t<time>.<renderer>.exr` with the shortest digits
+/// that read back the same, as `cornell.t2.5.povray.exr`.
 std::filesystem::path ReferencePath(const std::filesystem::path& folder,
                                     const std::string& scene_name,
-                                    const std::string& renderer);
+                                    const std::string& renderer,
+                                    double time = 0);
 
 }  // namespace rtb

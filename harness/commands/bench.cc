@@ -132,12 +132,8 @@ Status RunBench(const BenchOptions& options) {
   record.manifest.cpu_model = circumstances.manifest.cpu_model;
   record.manifest.cores = circumstances.manifest.cores;
   record.manifest.os = circumstances.manifest.os;
-  const std::string& reference = record.manifest.settings.reference;
-  if (!options.quiet && options.request.reference.empty() &&
-      reference == "self") {
-    PrintNote(
-        "no reference image shows this scene at this time: the reference is "
-        "our own image");
+  if (!options.quiet) {
+    for (const std::string& note : result.notes) PrintNote(note);
   }
   if (!options.out.empty()) {
     RTB_RETURN_IF_ERROR(WriteFolder(options.out, result));

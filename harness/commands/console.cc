@@ -3,15 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 
 #include "core/base/file.h"
+#include "core/base/posix.h"
 
 namespace rtb {
 namespace {
@@ -19,17 +17,6 @@ namespace {
 /// Opens /dev/null so that using the descriptor goes on failing.
 void Occupy(int descriptor, int mode) {
   if (::fcntl(descriptor, F_GETFD) == -1) ::open("/dev/null", mode);
-}
-
-/// Writes all bytes to a descriptor, whatever it is (file, pipe, terminal).
-bool WriteAll(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
 }
 
 /// A share in percent, rewritten in place on a terminal. Elsewhere a line
@@ -84,8 +71,9 @@ void PrintNote(const std::string& text) {
 
 Status WriteOutput(const std::string& target, std::string_view bytes) {
   if (target != "-") return WriteFileAtomically(target, bytes);
-  if (WriteAll(STDOUT_FILENO, bytes)) return {};
-  return Fail(Failure("standard output", std::strerror(errno)));
+  const int error = WriteAll(STDOUT_FILENO, bytes);
+  if (error == 0) return {};
+  return Fail(Failure("standard output", ErrnoText(error)));
 }
 
 Status WriteJson(const std::string& target, const Json& json) {
@@ -100,17 +88,10 @@ void WriteToStderr(std::string_view bytes) {
 Result<std::string> ReadStandardInput() {
   constexpr std::size_t kLimit = std::size_t{1} << 30;
   std::string bytes;
-  char buffer[1 << 16];
-  while (true) {
-    const ssize_t got = ::read(STDIN_FILENO, buffer, sizeof buffer);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return Fail(Failure("standard input", std::strerror(errno)));
-    if (got == 0) return bytes;
-    bytes.append(buffer, static_cast<std::size_t>(got));
-    if (bytes.size() > kLimit) {
-      return Fail(BadInput("standard input", "more than 1 GiB"));
-    }
-  }
+  const int error = ReadAll(STDIN_FILENO, kLimit + 1, &bytes);
+  if (error != 0) return Fail(Failure("standard input", ErrnoText(error)));
+  if (bytes.size() <= kLimit) return bytes;
+  return Fail(BadInput("standard input", "more than 1 GiB"));
 }
 
 bool OutputIsTerminal() { return ::isatty(STDOUT_FILENO) != 0; }

@@ -4,6 +4,7 @@
 #include "core/image/io.h"
 #include "encoders/emit/emit.h"
 #include "encoders/registry.h"
+#include "harness/cell_shape.h"
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
@@ -70,7 +71,9 @@ Status WritePicture(const CellGrid& grid, const EncodeOptions& options) {
         BadInput("--output", "a PNG does not go to a terminal", "give a file"));
   }
   RTB_RETURN_IF_ERROR(RasterSize(grid.size, CellOf(options.decode)));
-  RTB_ASSIGN_OR_RETURN(const Image image, Decode(grid, options.decode));
+  DecodeOptions decode = options.decode;
+  decode.threads = options.scene.options.threads;
+  RTB_ASSIGN_OR_RETURN(const Image image, Decode(grid, decode));
   RTB_ASSIGN_OR_RETURN(const std::string png, EncodePng(image));
   return WriteOutput(options.output, png);
 }

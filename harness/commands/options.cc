@@ -153,12 +153,4 @@ void AddQuiet(CLI::App& app, bool& quiet) {
   app.add_flag("--quiet", quiet, "No notes and no progress");
 }
 
-PixelSize CellOf(const DecodeOptions& options) {
-  return {options.cell_width, options.cell_height};
-}
-
-double CellAspect(const DecodeOptions& options) {
-  return static_cast<double>(options.cell_width) / options.cell_height;
-}
-
 }  // namespace rtb

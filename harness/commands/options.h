@@ -97,9 +97,4 @@ void AddJson(CLI::App& app, std::string& json);
 /// --quiet.
 void AddQuiet(CLI::App& app, bool& quiet);
 
-/// The cell of the decoding options.
-PixelSize CellOf(const DecodeOptions& options);
-/// Its width / height.
-double CellAspect(const DecodeOptions& options);
-
 }  // namespace rtb

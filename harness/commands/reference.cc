@@ -30,8 +30,7 @@ Status WriteReference(const ReferenceOptions& options) {
   request.height = options.size.height;
   request.output = options.output;
   if (request.output.empty()) {
-    request.output = ReferencePath(ReferenceFolder(scene.file),
-                                   scene.file.stem().string(), "povray");
+    request.output = ReferenceFile(scene.file, "povray", request.time);
   }
   RTB_RETURN_IF_ERROR(
       RenderPovReference(*scene.scene, request, ProgressLine(options.quiet)));
@@ -49,7 +48,8 @@ void AddOptions(CLI::App& app, ReferenceOptions& options) {
   AddSpp(app, options.request.spp);
   AddTime(app, options.request.time);
   AddText(app,
-          {"--output", "FILE", "reference/SCENE.povray.exr",
+          {"--output", "FILE",
+           "reference/SCENE.povray.exr, or SCENE.tTIME.povray.exr",
            "The EXR; its provenance goes beside it"},
           options.output);
   AddQuiet(app, options.quiet);

@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "encoders/parse/parse.h"
 #include "harness/cell_difference.h"
+#include "harness/cell_shape.h"
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
@@ -54,7 +55,9 @@ Result<Image> ReadTest(const ScoreOptions& options) {
   }
   RTB_ASSIGN_OR_RETURN(const CellGrid grid, ReadGrid(options));
   RTB_RETURN_IF_ERROR(RasterSize(grid.size, CellOf(options.decode)));
-  return Decode(grid, options.decode);
+  DecodeOptions decode = options.decode;
+  decode.threads = options.threads;
+  return Decode(grid, decode);
 }
 
 /// `name value` lines; `-` where undefined.

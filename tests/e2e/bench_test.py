@@ -183,7 +183,8 @@ class BenchTest(ProgramTest):
         self.fail_with(2, *base, "--grid=6x2", "--reference=gone.exr",
                        says="gone.exr")
         self.fail_with(2, *base, "--grid=6x2", "--reference=povray",
-                       "--time=1", says=("time 0", "--reference=self"))
+                       "--time=1",
+                       says=("cornell.t1.povray.exr", "--reference=self"))
         self.fail_with(2, "--scene=cornell", "--encoder=", says="--encoder")
         self.fail_with(2, "--scene=cornell", "--encoder=quadrant:splt=best",
                        says="split")

@@ -23,6 +23,7 @@ class RenderTest(ProgramTest):
         self.assertEqual(picture[:2], (24, 16))
         self.assertGreater(len(set(picture[2])), 20)
         self.assertEqual(read_png(self.render("a.png")), picture)
+        self.assertEqual(read_png(self.render("b.PNG")), picture)
 
     def test_exr(self):
         self.assertEqual(self.render("a.exr")[:4], b"\x76\x2f\x31\x01")

@@ -89,10 +89,14 @@ TEST_F(Lookup, AFolderIsNoScene) {
 
 TEST_F(Lookup, ReferencesStandBesideTheScenes) {
   const auto scene = folder_.Write("data/scenes/a.yaml", "");
-  EXPECT_EQ(FindReference(scene, "povray"), std::nullopt);
+  EXPECT_EQ(FindReference(scene, "povray", 0), std::nullopt);
   const auto image = folder_.Write("data/reference/a.povray.exr", "");
-  EXPECT_EQ(FindReference(scene, "povray"), image);
-  EXPECT_EQ(FindReference(scene, "cycles"), std::nullopt);
+  EXPECT_EQ(FindReference(scene, "povray", 0), image);
+  EXPECT_EQ(FindReference(scene, "cycles", 0), std::nullopt);
+  EXPECT_EQ(FindReference(scene, "povray", 1.5), std::nullopt);
+  const auto later = folder_.Write("data/reference/a.t1.5.povray.exr", "");
+  EXPECT_EQ(FindReference(scene, "povray", 1.5), later);
+  EXPECT_EQ(ReferenceFile(scene, "povray", 1.5), later);
 }
 
 // A copy of a scene outside a scene folder is another scene: it must not be
@@ -100,7 +104,7 @@ TEST_F(Lookup, ReferencesStandBesideTheScenes) {
 TEST_F(Lookup, ScenesElsewhereHaveNoReference) {
   const auto scene = folder_.Write("data/a.yaml", "");
   folder_.Write("reference/a.povray.exr", "");
-  EXPECT_EQ(FindReference(scene, "povray"), std::nullopt);
+  EXPECT_EQ(FindReference(scene, "povray", 0), std::nullopt);
 }
 
 }  // namespace

@@ -48,6 +48,22 @@ TEST(MatchRasters, ReducesTheLargerInLinearLight) {
   EXPECT_NEAR(b.test.at(3, 1).x, 0.735357f, 1e-5f);
 }
 
+// 1333 and 1334 rows of 2000 differ by 0.075 %: one picture, of which neither
+// side may be enlarged.
+TEST(MatchRasters, NeverEnlargesASide) {
+  const Image low(2000, 1333);
+  const Image high(2000, 1334);
+  const auto matched = [](const Image& reference, const Image& test) {
+    const RasterPair pair =
+        MatchRasters(reference, test, "--reference").value();
+    EXPECT_EQ(pair.reference.width(), pair.test.width());
+    EXPECT_EQ(pair.reference.height(), pair.test.height());
+    return PixelSize{pair.test.width(), pair.test.height()};
+  };
+  EXPECT_EQ(matched(low, high), (PixelSize{2000, 1333}));
+  EXPECT_EQ(matched(high, low), (PixelSize{2000, 1333}));
+}
+
 TEST(MatchRasters, RefusesAnotherAspect) {
   const auto pair =
       MatchRasters(Image(960, 640), Image(960, 642), "--reference");

@@ -3,13 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
 #include "core/image/io.h"
+#include "harness/lookup.h"
+#include "reference/pov_export.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace rtb {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr char kScene[] =
     "rtbench_scene: 1\n"
@@ -21,24 +28,46 @@ constexpr char kScene[] =
 /// 0.25 is code 137: 255 (1.055 * 0.25^(1/2.4) - 0.055) = 136.96.
 class ChooseReferenceTest : public ::testing::Test {
  protected:
-  PreparedScene Prepare(double time = 0) {
+  PreparedScene Prepare(double time = 0, const std::string& more = "") {
     SceneRequest request;
-    request.scene = folder_.Write("scenes/gray.yaml", kScene).string();
+    request.scene = folder_.Write("scenes/gray.yaml", kScene + more).string();
     request.options.time = time;
     return std::move(PrepareScene(request).value());
   }
 
-  std::filesystem::path AddReference(float value, int width = 48) {
+  /// A white reference with the provenance it should have, `changed` where a
+  /// test says so.
+  std::filesystem::path AddReference(
+      const PreparedScene& scene, int width = 48,
+      const nlohmann::json& changed = nlohmann::json::object()) {
     Image image(width, 32);
-    for (Rgb& pixel : image.pixels()) pixel = Rgb(value);
-    const auto file = folder_.path() / "reference" / "gray.povray.exr";
+    for (Rgb& pixel : image.pixels()) pixel = Rgb(1);
+    const auto file = ReferenceFile(scene.file, "povray", scene.options.time);
     RTB_CHECK(WriteExr(file, image, ExrType::kFloat).has_value());
+    nlohmann::json provenance = {
+        {"schema", 1},
+        {"renderer", "povray"},
+        {"scene", {{"sha256", scene.scene->sha256}}},
+        {"settings", {{"time", scene.options.time}}},
+        {"image", {{"sha256", Sha256File(file).value()}}}};
+    provenance.merge_patch(changed);
+    folder_.Write("reference/" + file.filename().string() + ".json",
+                  provenance.dump());
     return file;
   }
 
-  void AddProvenance(const std::string& scene_sha256) {
-    folder_.Write("reference/gray.povray.exr.json",
-                  R"({"scene": {"sha256": ")" + scene_sha256 + "\"}}");
+  /// A reference that is not used by default, and an error when asked for.
+  void ExpectRefused(const PreparedScene& scene, const std::string& why) {
+    const auto picture = ChooseReference("", scene, raster_).value();
+    EXPECT_EQ(picture.name, "self");
+    EXPECT_THAT(picture.notes,
+                ElementsAre(HasSubstr(why), HasSubstr("our own image")));
+    const auto named = ChooseReference("povray", scene, raster_);
+    ASSERT_FALSE(named.has_value());
+    EXPECT_EQ(named.error().kind, ErrorKind::kBadInput);
+    EXPECT_EQ(named.error().place, "--reference");
+    EXPECT_THAT(named.error().what, HasSubstr(why));
+    EXPECT_THAT(named.error().hint, HasSubstr("--reference=self"));
   }
 
   TemporaryFolder folder_;
@@ -54,50 +83,107 @@ TEST_F(ChooseReferenceTest, RendersItselfWhereThereIsNone) {
 }
 
 TEST_F(ChooseReferenceTest, PrefersTheCommittedOne) {
-  const auto file = AddReference(1);
-  const auto picture = ChooseReference("", Prepare(), raster_).value();
-  EXPECT_EQ(picture.name, "povray");
-  EXPECT_EQ(picture.file, file);
-  EXPECT_EQ(picture.display.at(0, 0), Rgb(1));
-}
-
-TEST_F(ChooseReferenceTest, ReferencesShowTimeZeroOnly) {
-  AddReference(1);
-  const PreparedScene later = Prepare(1.5);
-  EXPECT_EQ(ChooseReference("", later, raster_)->name, "self");
-  const auto picture = ChooseReference("povray", later, raster_);
-  ASSERT_FALSE(picture.has_value());
-  EXPECT_THAT(picture.error().what, HasSubstr("time 0"));
-}
-
-TEST_F(ChooseReferenceTest, BelievesProvenanceOfTheSameScene) {
-  AddReference(1);
   const PreparedScene scene = Prepare();
-  AddProvenance(scene.scene->sha256);
+  const auto file = AddReference(scene);
+  for (const char* choice : {"", "povray"}) {
+    const auto picture = ChooseReference(choice, scene, raster_).value();
+    EXPECT_EQ(picture.name, "povray");
+    EXPECT_EQ(picture.file, file);
+    EXPECT_EQ(picture.display.at(0, 0), Rgb(1));
+    EXPECT_THAT(picture.notes, IsEmpty());
+  }
+}
+
+TEST_F(ChooseReferenceTest, EveryTimeHasItsOwnReference) {
+  AddReference(Prepare());
+  const PreparedScene later = Prepare(1.5);
+  const auto self = ChooseReference("", later, raster_).value();
+  EXPECT_EQ(self.name, "self");
+  EXPECT_THAT(self.notes, ElementsAre(HasSubstr("our own image")));
+  const auto missing = ChooseReference("povray", later, raster_);
+  ASSERT_FALSE(missing.has_value());
+  EXPECT_THAT(missing.error().what, HasSubstr("gray.t1.5.povray.exr"));
+  const auto file = AddReference(later);
+  EXPECT_EQ(file.filename(), "gray.t1.5.povray.exr");
+  EXPECT_EQ(ChooseReference("", later, raster_)->file, file);
+}
+
+TEST_F(ChooseReferenceTest, RefusesWhatIsNoProvenance) {
+  const PreparedScene scene = Prepare();
+  const auto file = AddReference(scene);
+  const std::string name = "reference/gray.povray.exr.json";
+  for (const char* text : {"", "[]", "{"}) {
+    folder_.Write(name, text);
+    ExpectRefused(scene, "no JSON object");
+  }
+  folder_.Write(name, "{}");
+  ExpectRefused(scene, "schema null, expected 1");
+  std::filesystem::remove(file.string() + ".json");
+  ExpectRefused(scene, "no provenance");
+}
+
+// A list where an object should be is no reason to end the program.
+TEST_F(ChooseReferenceTest, RefusesProvenanceOfOtherThings) {
+  const PreparedScene scene = Prepare();
+  const std::string zeros(64, '0');
+  const std::vector<std::pair<nlohmann::json, std::string>> cases = {
+      {{{"schema", 2}}, "schema 2, expected 1"},
+      {{{"renderer", "cycles"}}, "rendered by \"cycles\""},
+      {{{"settings", {{"time", 2}}}}, "shows time 2, expected 0"},
+      {{{"settings", {1}}}, "shows time null"},
+      {{{"scene", {{"sha256", zeros}}}}, "another version"},
+      {{{"image", {{"sha256", zeros}}}}, "not the image"}};
+  for (const auto& [changed, why] : cases) {
+    SCOPED_TRACE(changed.dump());
+    AddReference(scene, 48, changed);
+    ExpectRefused(scene, why);
+  }
+}
+
+TEST_F(ChooseReferenceTest, RefusesAnImageThatChanged) {
+  const PreparedScene scene = Prepare();
+  const auto file = AddReference(scene);
+  std::ofstream(file, std::ios::app) << "x";
+  ExpectRefused(scene, "not the image");
+}
+
+// A comment changes the file, not the scene.
+TEST_F(ChooseReferenceTest, BelievesTheSameSceneInOtherWords) {
+  const PreparedScene scene = Prepare();
+  AddReference(scene, 48,
+               {{"scene", {{"sha256", std::string(64, '0')}}},
+                {"sdl_sha256", Sha256(ExportPov(*scene.scene, 0).value())}});
   EXPECT_EQ(ChooseReference("", scene, raster_)->name, "povray");
 }
 
-TEST_F(ChooseReferenceTest, RefusesProvenanceOfAnotherScene) {
-  AddReference(1);
-  AddProvenance(std::string(64, '0'));
-  const PreparedScene scene = Prepare();
-  EXPECT_EQ(ChooseReference("", scene, raster_)->name, "self");
-  const auto picture = ChooseReference("povray", scene, raster_);
-  ASSERT_FALSE(picture.has_value());
-  EXPECT_THAT(picture.error().what, HasSubstr("another version"));
+// The scene's file names the mesh but does not hold it.
+TEST_F(ChooseReferenceTest, RefusesTheReferenceOfAnotherMesh) {
+  const char triangle[] = "v 0 0 -5\nv 1 0 -5\nv 0 1 -5\nf 1 2 3\n";
+  folder_.Write("scenes/a.obj", triangle);
+  const std::string objects = "objects: [{type: mesh, file: a.obj}]\n";
+  const PreparedScene scene = Prepare(0, objects);
+  AddReference(scene, 48,
+               {{"sdl_sha256", Sha256(ExportPov(*scene.scene, 0).value())}});
+  EXPECT_EQ(ChooseReference("", scene, raster_)->name, "povray");
+  folder_.Write("scenes/a.obj", triangle + std::string("v 1 1 -5\nf 2 4 3\n"));
+  const PreparedScene changed = Prepare(0, objects);
+  EXPECT_EQ(changed.scene->sha256, scene.scene->sha256);
+  ExpectRefused(changed, "another version");
 }
 
 TEST_F(ChooseReferenceTest, AnotherAspectSuggestsSelf) {
-  AddReference(1, 49);
-  const auto picture = ChooseReference("povray", Prepare(), raster_);
+  const PreparedScene scene = Prepare();
+  AddReference(scene, 49);
+  const auto picture = ChooseReference("povray", scene, raster_);
   ASSERT_FALSE(picture.has_value());
   EXPECT_EQ(picture.error().kind, ErrorKind::kBadInput);
   EXPECT_THAT(picture.error().hint, HasSubstr("--reference=self"));
 }
 
 TEST_F(ChooseReferenceTest, AnotherSizeOfTheSameAspectIsAccepted) {
-  AddReference(1);
-  EXPECT_TRUE(ChooseReference("povray", Prepare(), {96, 64}).has_value());
+  const PreparedScene scene = Prepare();
+  AddReference(scene);
+  EXPECT_TRUE(ChooseReference("povray", scene, {96, 64}).has_value());
 }
 
 TEST_F(ChooseReferenceTest, MissingOnesAreErrors) {

@@ -201,5 +201,14 @@ TEST(PovRayTest, ReferencePathNamesSceneAndRenderer) {
             std::filesystem::path("reference/images/cornell.povray.exr"));
 }
 
+TEST(PovRayTest, ReferencePathNamesTimesOtherThanZero) {
+  EXPECT_EQ(ReferencePath("", "cornell", "povray", 2),
+            std::filesystem::path("cornell.t2.povray.exr"));
+  EXPECT_EQ(ReferencePath("", "cornell", "povray", 0.1),
+            std::filesystem::path("cornell.t0.1.povray.exr"));
+  EXPECT_EQ(ReferencePath("", "cornell", "povray", -0.0),
+            std::filesystem::path("cornell.povray.exr"));
+}
+
 }  // namespace
 }  // namespace rtb
