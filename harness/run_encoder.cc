@@ -3,8 +3,6 @@
 #include <chrono>
 #include <ctime>
 
-#include "harness/arguments.h"
-
 namespace rtb {
 namespace {
 
@@ -57,9 +55,6 @@ class TimedSource : public FragmentSource {
 Result<TimedEncoding> RunEncoder(const Encoder& encoder, FragmentSource& source,
                                  GridSize grid, double cell_aspect,
                                  const EncodeContext& context) {
-  // Before a plan of the whole grid is made.
-  const SamplePlan one = encoder.Plan({1, 1}, cell_aspect, context.seed);
-  RTB_RETURN_IF_ERROR(CheckSampleCount("--grid", grid, one.samples_per_cell));
   TimedSource timed_source(source);
   TimedEncoding timed;
   const Stopwatch stopwatch;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "encoders/plan_encoder.h"
 #include "harness/prepared_scene.h"
 #include "harness/run_encoder.h"
 
@@ -59,15 +60,15 @@ TEST(RenderImage, PutsPixelsRowByRow) {
 }
 
 /// Plans `samples` a cell and draws nothing.
-class IdleEncoder : public Encoder {
+class IdleEncoder : public PlanEncoder {
  public:
   explicit IdleEncoder(int samples) : samples_(samples) {}
   SamplePlan Plan(GridSize grid, double aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, samples_, 1, aspect);
   }
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& /*context*/) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& /*context*/) const override {
     return CellGrid(fragments.grid);
   }
 
@@ -85,7 +86,7 @@ TEST(RunEncoder, TimesBothHalves) {
   EXPECT_GT(run.encode.wall_ms, 0);
 }
 
-TEST(RunEncoder, RefusesAbsurdGridsBeforePlanning) {
+TEST(RunEncoder, RefusesAbsurdGridsBeforeRendering) {
   CountingBackend backend;
   SceneSource source(backend, {}, 0);
   const auto run = RunEncoder(IdleEncoder(17), source, {4096, 4096}, 0.5, {});
