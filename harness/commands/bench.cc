@@ -103,14 +103,10 @@ Status WriteFolder(const std::filesystem::path& folder,
   return {};
 }
 
-/// What the record says of circumstances, taken before the work.
-RunRecord Circumstances(const BenchOptions& options) {
-  RunRecord record;
-  SetHost(GetHostInfo(), record);
-  record.conditions.utc = UtcNow();
-  record.conditions.command = CommandLine();
-  record.conditions.threads = options.request.scene.options.threads;
-  return record;
+/// To be taken before the work.
+RunConditions Conditions(const BenchOptions& options) {
+  return {UtcNow(), CommandLine(), options.request.scene.options.threads,
+          GetHostInfo()};
 }
 
 Status Print(const BenchOptions& options, const BenchResult& result) {
@@ -124,14 +120,11 @@ Status Print(const BenchOptions& options, const BenchResult& result) {
 
 Status RunBench(const BenchOptions& options) {
   if (!options.out.empty()) RTB_RETURN_IF_ERROR(MakeFolder(options.out));
-  const RunRecord circumstances = Circumstances(options);
+  RunConditions conditions = Conditions(options);
   RTB_ASSIGN_OR_RETURN(BenchResult result,
                        Bench(options.request, ProgressLine(options.quiet)));
   RunRecord& record = result.record;
-  record.conditions = circumstances.conditions;
-  record.manifest.cpu_model = circumstances.manifest.cpu_model;
-  record.manifest.cores = circumstances.manifest.cores;
-  record.manifest.os = circumstances.manifest.os;
+  record.conditions = std::move(conditions);
   if (!options.quiet) {
     for (const std::string& note : result.notes) PrintNote(note);
   }

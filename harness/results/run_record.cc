@@ -6,15 +6,6 @@
 
 namespace rtb {
 
-void SetHost(const HostInfo& host, RunRecord& record) {
-  record.manifest.cpu_model = host.cpu_model;
-  record.manifest.cores = host.cores;
-  record.manifest.os = host.os;
-  record.conditions.hostname = host.hostname;
-  record.conditions.kernel = host.kernel;
-  record.conditions.load_1min = host.load_1min;
-}
-
 const StageTimes* FindStage(const RunResult& run, const std::string& stage) {
   const auto found = std::ranges::find(run.times, stage, &StageTimes::stage);
   return found == run.times.end() ? nullptr : &*found;

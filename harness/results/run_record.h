@@ -2,9 +2,9 @@
 /// RunRecord: the result of the main job, as plain data. run_record_json.h
 /// writes and reads it; results/record.schema.json describes that form.
 ///
-/// All that may differ between two runs of the same work by the same program
-/// on the same machine sits in RunResult::times and in RunRecord::conditions;
-/// the rest of a record is identical byte for byte.
+/// All that may differ between two runs of the same work by the same program,
+/// on one machine or two, sits in RunResult::times and in
+/// RunRecord::conditions; the rest of a record is identical byte for byte.
 #pragma once
 
 #include <cstdint>
@@ -73,9 +73,6 @@ struct RunSettings {
 /// What was done, by what, with what.
 struct Manifest {
   BuildInfo build;
-  std::string cpu_model;
-  int cores = 0;
-  std::string os;
   RunSettings settings;
   std::vector<InputFile> inputs;
 };
@@ -85,10 +82,7 @@ struct RunConditions {
   std::string utc;                   ///< Start, `2026-01-31T12:34:56Z`.
   std::vector<std::string> command;  ///< The full command line.
   int threads = 0;                   ///< As asked for; 0 = all cores.
-  std::string hostname;
-  std::string kernel;
-  double load_1min = 0;
-  bool operator==(const RunConditions&) const = default;
+  HostInfo host;
 };
 
 /// One file of results.
@@ -97,10 +91,6 @@ struct RunRecord {
   std::vector<RunResult> runs;
   RunConditions conditions;
 };
-
-/// Fills the host's share of a record: the machine into the manifest, name,
-/// kernel and load into the conditions.
-void SetHost(const HostInfo& host, RunRecord& record);
 
 /// The times of a stage, or nullptr.
 const StageTimes* FindStage(const RunResult& run, const std::string& stage);

@@ -40,10 +40,6 @@ Json ToJson(const Manifest& manifest) {
     inputs.push_back(ToJson(input));
   }
   return {{"program", ToJson(manifest.build)},
-          {"machine",
-           {{"cpu_model", manifest.cpu_model},
-            {"cores", manifest.cores},
-            {"os", manifest.os}}},
           {"settings", ToJson(manifest.settings)},
           {"inputs", inputs}};
 }
@@ -63,14 +59,17 @@ Json ToJson(const RunResult& run) {
           {"metrics", MetricsToJson(run.metrics)}};
 }
 
+Json ToJson(const HostInfo& host) {
+  return {{"name", host.hostname}, {"cpu_model", host.cpu_model},
+          {"cores", host.cores},   {"os", host.os},
+          {"kernel", host.kernel}, {"load_1min", host.load_1min}};
+}
+
 Json ToJson(const RunConditions& conditions) {
   return {{"utc", conditions.utc},
           {"command", conditions.command},
           {"threads", conditions.threads},
-          {"host",
-           {{"name", conditions.hostname},
-            {"kernel", conditions.kernel},
-            {"load_1min", conditions.load_1min}}}};
+          {"host", ToJson(conditions.host)}};
 }
 
 }  // namespace

@@ -36,10 +36,6 @@ RunSettings ToSettings(const Json& json) {
 Manifest ToManifest(const Json& json) {
   Manifest manifest;
   manifest.build = ToBuild(json.at("program"));
-  const Json& machine = json.at("machine");
-  machine.at("cpu_model").get_to(manifest.cpu_model);
-  machine.at("cores").get_to(manifest.cores);
-  machine.at("os").get_to(manifest.os);
   manifest.settings = ToSettings(json.at("settings"));
   for (const Json& input : json.at("inputs")) {
     manifest.inputs.push_back(
@@ -75,10 +71,14 @@ RunResult ToRun(const Json& json) {
   return run;
 }
 
+HostInfo ToHost(const Json& json) {
+  return {json.at("cpu_model"), json.at("cores"), json.at("os"),
+          json.at("kernel"),    json.at("name"),  json.at("load_1min")};
+}
+
 RunConditions ToConditions(const Json& json) {
-  const Json& host = json.at("host");
-  return {json.at("utc"),  json.at("command"), json.at("threads"),
-          host.at("name"), host.at("kernel"),  host.at("load_1min")};
+  return {json.at("utc"), json.at("command"), json.at("threads"),
+          ToHost(json.at("host"))};
 }
 
 Result<RunRecord> ToRecord(const Json& json, const std::string& place) {

@@ -97,7 +97,10 @@ TEST(RunRecordJsonTest, UndefinedMetricsAreNull) {
 TEST(RunRecordJsonTest, CircumstancesStayInTheirPlace) {
   const RunRecord first = SampleRecord();
   RunRecord second = first;
-  second.conditions = {"2027-02-28T00:00:00Z", {"other"}, 3, "x", "y", 9};
+  second.conditions = {"2027-02-28T00:00:00Z",
+                       {"other"},
+                       3,
+                       {"another CPU", 64, "x", "y", "z", 9}};
   second.runs[0].times = {{"render", {1}, {}}};
   const auto rest = [](const RunRecord& record) {
     Json json = RecordToJson(record);

@@ -6,7 +6,6 @@ RunRecord SampleRecord() {
   RunRecord record;
   record.manifest.build = {"0.1.0",   "0123456789abcdef", true,
                            "Release", "GNU 12.2.0",       "-O3"};
-  SetHost({"A CPU", 2, "An OS", "Linux 6.1", "host", 0.25}, record);
   record.manifest.settings.backend = "embree";
   record.manifest.settings.integrator = "whitted";
   record.manifest.settings.seed = 18446744073709551615u;
@@ -32,6 +31,7 @@ RunRecord SampleRecord() {
        {{"flip", 0.0}, {"psnr", std::nullopt}, {"ms_ssim", std::nullopt}}}};
   record.conditions.utc = "2026-01-31T12:34:56Z";
   record.conditions.command = {"rtbench", "--scene=cornell"};
+  record.conditions.host = {"A CPU", 2, "An OS", "Linux 6.1", "host", 0.25};
   return record;
 }
 
