@@ -1,12 +1,13 @@
 #include "harness/bench.h"
 
 #include <numeric>
+#include <set>
 #include <utility>
 
-#include "core/base/file.h"
 #include "core/math/random.h"
 #include "encoders/registry.h"
 #include "harness/cell_shape.h"
+#include "harness/inputs.h"
 #include "harness/rasters.h"
 #include "harness/reference_choice.h"
 #include "harness/run_encoder.h"
@@ -130,7 +131,9 @@ RunSettings SharedSettings(const BenchRequest& request,
   settings.backend = scene.backend->name();
   settings.integrator = scene.options.integrator;
   settings.spp = scene.options.spp;
-  settings.max_depth = scene.options.max_depth;
+  settings.max_depth = scene.options.max_depth >= 0
+                           ? scene.options.max_depth
+                           : scene.scene->settings.max_depth;
   settings.seed = scene.options.seed;
   settings.time = scene.options.time;
   settings.exposure = scene.exposure;
@@ -143,19 +146,22 @@ RunSettings SharedSettings(const BenchRequest& request,
 
 Result<std::vector<InputFile>> Inputs(const BenchRequest& request,
                                       const PreparedScene& scene,
-                                      const ReferencePicture& reference) {
-  std::vector<InputFile> inputs;
-  inputs.push_back(
-      {"scene", scene.file.filename().string(), scene.scene->sha256});
-  const auto add = [&inputs](const std::string& role,
-                             const std::filesystem::path& file) -> Status {
-    if (file.empty()) return {};
-    RTB_ASSIGN_OR_RETURN(const std::string sha256, Sha256File(file));
-    inputs.push_back({role, file.filename().string(), sha256});
-    return {};
-  };
-  RTB_RETURN_IF_ERROR(add("reference", reference.file));
-  RTB_RETURN_IF_ERROR(add("font", request.decode.font));
+                                      const ReferencePicture& reference,
+                                      const BenchResult& result) {
+  RTB_ASSIGN_OR_RETURN(std::vector<InputFile> inputs,
+                       SceneInputs(*scene.scene));
+  if (!reference.file.empty()) {
+    RTB_ASSIGN_OR_RETURN(InputFile file,
+                         HashedInput("reference", reference.file));
+    inputs.push_back(std::move(file));
+  }
+  std::set<char32_t> glyphs;
+  for (const BenchPicture& picture : result.pictures) {
+    for (const Cell& cell : picture.grid.cells) glyphs.insert(cell.glyph);
+  }
+  RTB_ASSIGN_OR_RETURN(const std::vector<InputFile> fonts,
+                       FontInputs(glyphs, request.decode));
+  inputs.insert(inputs.end(), fonts.begin(), fonts.end());
   return inputs;
 }
 
@@ -168,6 +174,7 @@ Result<BenchResult> Bench(
                        MakeConfigurations(request.encoders));
   RTB_ASSIGN_OR_RETURN(const PixelSize raster,
                        RasterSize(request.grid, CellOf(request.decode)));
+  RTB_RETURN_IF_ERROR(CheckFont(request.decode));
   RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(request.scene));
   RTB_ASSIGN_OR_RETURN(ReferencePicture reference,
                        ChooseReference(request.reference, scene, raster));
@@ -175,13 +182,14 @@ Result<BenchResult> Bench(
   Manifest& manifest = result.record.manifest;
   manifest.build = GetBuildInfo();
   manifest.settings = SharedSettings(request, scene, reference);
-  RTB_ASSIGN_OR_RETURN(manifest.inputs, Inputs(request, scene, reference));
   result.reference = std::move(reference.display);
   result.notes = std::move(reference.notes);
   RTB_RETURN_IF_ERROR(RunRounds(request, scene, progress, configurations));
   for (Configuration& configuration : configurations) {
     RTB_RETURN_IF_ERROR(Evaluate(request, scene, configuration, result));
   }
+  RTB_ASSIGN_OR_RETURN(manifest.inputs,
+                       Inputs(request, scene, reference, result));
   return result;
 }
 

@@ -44,7 +44,7 @@ struct RunResult {
 
 /// A file that the work depends on.
 struct InputFile {
-  std::string role;  ///< `scene`, `reference`, `font`.
+  std::string role;  ///< `scene`, `mesh`, `image`, `reference`, `font`.
   std::string name;  ///< Name without folders.
   std::string sha256;
   bool operator==(const InputFile&) const = default;
@@ -57,7 +57,7 @@ struct RunSettings {
   std::string device;   ///< Name of the GPU; empty on the CPU.
   std::string integrator;
   int spp = 1;
-  int max_depth = -1;  ///< -1: the scene's own.
+  int max_depth = 0;  ///< Bounces after the eye ray.
   std::uint64_t seed = 0;
   double time = 0;      ///< Seconds along the scene's movement.
   double exposure = 0;  ///< Stops.

@@ -8,6 +8,7 @@
 namespace rtb {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::Gt;
 using ::testing::Optional;
 
@@ -62,12 +63,31 @@ TEST_F(BenchTest, RecordsWhatWasDone) {
   EXPECT_EQ(record.manifest.settings.backend, "embree");
   EXPECT_EQ(record.manifest.settings.seed, 9u);
   EXPECT_EQ(record.manifest.settings.exposure, -1);
+  EXPECT_EQ(record.manifest.settings.max_depth, 8);  // the format's default
   EXPECT_EQ(record.manifest.settings.reference, "self");
   ASSERT_EQ(record.manifest.inputs.size(), 1u);
   EXPECT_EQ(record.manifest.inputs[0].name, "sky.yaml");
   ASSERT_EQ(record.runs.size(), 2u);
   EXPECT_EQ(record.runs[1].rays_per_cell, 4);
   EXPECT_EQ(record.runs[1].raster, (PixelSize{48, 32}));
+}
+
+TEST_F(BenchTest, RecordsEveryFileThatItOpened) {
+  folder_.Write("a.obj", "v 0 0 -5\nv 1 0 -5\nv 0 1 -5\nf 1 2 3\n");
+  folder_.Write("sky.yaml",
+                std::string(kScene) + "objects: [{type: mesh, file: a.obj}]\n");
+  request_.encoders = "half,braille";
+  request_.scene.options.max_depth = 3;
+  const Manifest manifest = Run()->record.manifest;
+  std::vector<std::string> opened;
+  for (const InputFile& input : manifest.inputs) {
+    opened.push_back(input.role + " " + input.name);
+  }
+  // Braille patterns are drawn by a font, which the first of the chain lacks.
+  EXPECT_THAT(opened,
+              ElementsAre("scene sky.yaml", "mesh a.obj",
+                          "font DejaVuSansMono.ttf", "font DejaVuSans.ttf"));
+  EXPECT_EQ(manifest.settings.max_depth, 3);
 }
 
 TEST_F(BenchTest, TakesAsManyTimesAsAsked) {
@@ -88,6 +108,9 @@ TEST_F(BenchTest, FailsBeforeTheWork) {
   request_.encoders = "half,thirds";
   EXPECT_FALSE(Run().has_value());
   request_.encoders = "half";
+  request_.decode.font = "gone.ttf";
+  EXPECT_FALSE(Run().has_value());
+  request_.decode.font.clear();
   request_.grid = {4096, 4096};
   const auto result = Run();
   ASSERT_FALSE(result.has_value());

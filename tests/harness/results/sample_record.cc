@@ -8,6 +8,7 @@ RunRecord SampleRecord() {
                            "Release", "GNU 12.2.0",       "-O3"};
   record.manifest.settings.backend = "embree";
   record.manifest.settings.integrator = "whitted";
+  record.manifest.settings.max_depth = 8;
   record.manifest.settings.seed = 18446744073709551615u;
   record.manifest.settings.reference = "povray";
   record.manifest.inputs = {{"scene", "cornell.yaml", std::string(64, 'a')},
