@@ -21,7 +21,8 @@ class ScoreTest(ProgramTest):
     def metrics(self, *args):
         record = json.loads(self.succeed("score", "--reference=a.png", *args,
                                          "--json=-"))
-        self.assertEqual(list(record), ["schema", "metrics"])
+        self.assertEqual(list(record), ["schema", "metrics", "ppd",
+                                        "raster"])
         self.assertEqual(record["schema"], 1)
         return record["metrics"]
 
