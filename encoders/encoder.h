@@ -1,6 +1,6 @@
 /// @file
-/// Encoder: turns samples into cells. The flow: Plan -> FragmentSource ->
-/// Encode -> CellGrid.
+/// Encoder: turns samples into cells. The flow: SamplePlan -> FragmentSource ->
+/// Fragments -> CellGrid, once (plan_encoder.h) or in rounds.
 #pragma once
 
 #include <cstdint>
@@ -28,12 +28,13 @@ struct EncoderParameter {
 struct EncoderInfo {
   std::string name;
   std::string description;
-  int samples_per_cell;  ///< With default parameters.
+  int samples_per_cell;  ///< With default parameters; where it varies, the
+                         ///< most that the mean over cells can be.
   std::string glyphs;    ///< The code points it may use, in words.
   std::vector<EncoderParameter> parameters;
 };
 
-/// What an encoding depends on beside the fragments.
+/// What an encoding depends on beside the picture.
 struct EncodeContext {
   std::uint64_t seed = 0;
   int threads = 0;                     ///< Upper bound; 0 = all cores.
@@ -47,26 +48,21 @@ struct Encoding {
 };
 
 /// An encoder with its parameters fixed. Immutable and safe to share between
-/// threads; Encode is a pure function of its arguments.
+/// threads.
 class Encoder {
  public:
   virtual ~Encoder() = default;
 
-  /// Where samples are wanted in each cell of the grid.
-  /// @param cell_aspect cell width / height, passed on to the plan.
-  virtual SamplePlan Plan(GridSize grid, double cell_aspect,
-                          std::uint64_t seed) const = 0;
-
-  /// Encodes the fragments that answer Plan(): linear radiance with exposure
-  /// applied; values outside [0, 1] are clipped, NaN counts as 0. Works cell
-  /// by cell on all cores; the result does not depend on their number.
-  virtual CellGrid Encode(const Fragments& fragments,
-                          const EncodeContext& context) const = 0;
-
-  /// Asks the source and encodes. Encoders that ask in rounds override this.
+  /// Encodes the picture that the source shows: asks it for samples, in one
+  /// plan of the whole grid or in several that build on one another, and
+  /// chooses the cells. The samples are linear radiance with exposure applied;
+  /// values outside [0, 1] are clipped, NaN counts as 0. The result depends on
+  /// the source's answers and the arguments, but not on context.threads.
+  /// @param cell_aspect cell width / height, passed on to the plans.
+  /// @return the source's errors, and whatever the encoder itself fails at.
   virtual Result<Encoding> Run(FragmentSource& source, GridSize grid,
                                double cell_aspect,
-                               const EncodeContext& context) const;
+                               const EncodeContext& context) const = 0;
 };
 
 }  // namespace rtb

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "encoders/encode_cells.h"
+#include "encoders/plan_encoder.h"
 #include "encoders/registry.h"
 
 namespace rtb {
@@ -10,15 +11,15 @@ namespace {
 
 constexpr char32_t kLowerHalf = 0x2584;
 
-class Half : public Encoder {
+class Half : public PlanEncoder {
  public:
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, 1, 2, cell_aspect);
   }
 
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& context) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& context) const override {
     return EncodeCells(
         fragments, 2, context.threads, [](std::span<const Rgb> samples) {
           return Cell{kLowerHalf, Encode8(samples[1]), Encode8(samples[0])};

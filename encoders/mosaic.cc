@@ -4,6 +4,7 @@
 
 #include "encoders/encode_cells.h"
 #include "encoders/partition.h"
+#include "encoders/plan_encoder.h"
 
 namespace rtb {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr int kColumns = 2;
 constexpr int kMaxRows = 4;
 
-class Mosaic : public Encoder {
+class Mosaic : public PlanEncoder {
  public:
   Mosaic(const MosaicKind& kind, Blend blend) : kind_(kind), blend_(blend) {}
 
@@ -20,8 +21,8 @@ class Mosaic : public Encoder {
     return RegularPlan(grid, kColumns, kind_.rows, cell_aspect);
   }
 
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& context) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& context) const override {
     return EncodeCells(
         fragments, kColumns * kind_.rows, context.threads,
         [this](std::span<const Rgb> linear) { return EncodeCell(linear); });

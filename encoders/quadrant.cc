@@ -9,6 +9,7 @@
 #include "encoders/encode_cells.h"
 #include "encoders/glyphs/patterns.h"
 #include "encoders/partition.h"
+#include "encoders/plan_encoder.h"
 #include "encoders/registry.h"
 
 namespace rtb {
@@ -64,7 +65,7 @@ SampleMask SplitByRange(const Samples& encoded) {
   return Above(widest, middle);
 }
 
-class Quadrant : public Encoder {
+class Quadrant : public PlanEncoder {
  public:
   Quadrant(Split split, Blend blend) : split_(split), blend_(blend) {}
 
@@ -73,8 +74,8 @@ class Quadrant : public Encoder {
     return RegularPlan(grid, 2, 2, cell_aspect);
   }
 
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& context) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& context) const override {
     return EncodeCells(
         fragments, kSamples, context.threads,
         [this](std::span<const Rgb> linear) { return EncodeCell(linear); });

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "encoders/encode_cells.h"
+#include "encoders/plan_encoder.h"
 #include "encoders/registry.h"
 
 namespace rtb {
@@ -161,15 +162,15 @@ Cell EncodePixels(const Pixels& pixels) {
   return cell;
 }
 
-class Tiv : public Encoder {
+class Tiv : public PlanEncoder {
  public:
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, kColumns, kRows, cell_aspect);
   }
 
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& context) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& context) const override {
     return EncodeCells(
         fragments, kPixels, context.threads, [](std::span<const Rgb> linear) {
           Pixels pixels;

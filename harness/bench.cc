@@ -114,7 +114,8 @@ Status Evaluate(const BenchRequest& request, const PreparedScene& scene,
   run.scene = scene.scene->name;
   run.encoder = configuration.spec;
   run.grid = request.grid;
-  run.rays_per_cell = configuration.encoding.rays_per_cell;
+  // Each sample that the encoder asks for takes `spp` rays.
+  run.rays_per_cell = configuration.encoding.rays_per_cell * scene.options.spp;
   run.raster = {pair.test.width(), pair.test.height()};
   run.reference_raster = pair.reference_size;
   run.times = {configuration.plan, configuration.render, configuration.encode};

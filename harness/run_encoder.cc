@@ -5,8 +5,6 @@
 #include <ctime>
 #include <optional>
 
-#include "harness/arguments.h"
-
 namespace rtb {
 namespace {
 
@@ -77,9 +75,6 @@ class TimedSource : public FragmentSource {
 Result<TimedEncoding> RunEncoder(const Encoder& encoder, FragmentSource& source,
                                  GridSize grid, double cell_aspect,
                                  const EncodeContext& context) {
-  // Before a plan of the whole grid is made.
-  const SamplePlan one = encoder.Plan({1, 1}, cell_aspect, context.seed);
-  RTB_RETURN_IF_ERROR(CheckSampleCount("--grid", grid, one.samples_per_cell));
   TimedEncoding timed;
   TimedSource timed_source(source);
   RTB_ASSIGN_OR_RETURN(timed.encoding,

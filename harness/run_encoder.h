@@ -22,9 +22,8 @@ struct TimedEncoding {
   Cost encode;
 };
 
-/// Plans, asks the source and encodes.
-/// @return kBadInput when the grid asks for more than kMaxSamples samples,
-/// and the source's and encoder's errors.
+/// Runs the encoder.
+/// @return the source's and the encoder's errors.
 Result<TimedEncoding> RunEncoder(const Encoder& encoder, FragmentSource& source,
                                  GridSize grid, double cell_aspect,
                                  const EncodeContext& context);

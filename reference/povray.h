@@ -34,9 +34,9 @@ using Progress = std::function<void(double share, const std::string& what)>;
 Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
                           const Progress& progress);
 
-/// Where a scene's reference lives: `<folder>/<name>.<renderer>.exr`, at any
-/// time but 0 `<folder>/<name>.t<time>.<renderer>.exr` with the shortest digits
-/// that read back the same, as `cornell.t2.5.povray.exr`.
+/// Where the reference of a scene lives: `FOLDER/NAME.RENDERER.exr`, at any
+/// time but 0 `FOLDER/NAME.tTIME.RENDERER.exr` with the shortest digits that
+/// read back the same, as `cornell.t2.5.povray.exr`.
 std::filesystem::path ReferencePath(const std::filesystem::path& folder,
                                     const std::string& scene_name,
                                     const std::string& renderer,

@@ -7,6 +7,7 @@
 #include "core/accel/intersect.h"
 #include "core/accel/surface.h"
 #include "core/base/check.h"
+#include "core/base/parallel.h"
 
 namespace rtb {
 namespace {
@@ -20,6 +21,20 @@ PrimitiveKind KindOf(unsigned geometry_id) {
     default:
       return PrimitiveKind::kDisk;
   }
+}
+
+Error EmbreeError(RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    return Failure("embree", "not enough memory for the scene's geometry",
+                   "use fewer or smaller meshes, or fewer instances");
+  }
+  return Failure("embree", "error " + std::to_string(error));
+}
+
+/// The error that made a call return nothing; without one, memory is short.
+Error DeviceError(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  return EmbreeError(error == RTC_ERROR_NONE ? RTC_ERROR_OUT_OF_MEMORY : error);
 }
 
 RTCRay ToRtc(const Ray& ray) {
@@ -44,29 +59,23 @@ EmbreeAccel& EmbreeAccel::operator=(EmbreeAccel&&) noexcept = default;
 EmbreeAccel::~EmbreeAccel() = default;
 
 Result<EmbreeAccel> EmbreeAccel::Build(const Geometry& geometry,
-                                       std::vector<Rgb> transmittance) {
+                                       std::vector<Rgb> transmittance,
+                                       int threads) {
   RTB_CHECK_EQ(transmittance.size(), geometry.objects.size());
   auto impl = std::make_unique<Impl>();
   // No "threads=N": that would bound every TBB loop of the process.
   impl->device = rtcNewDevice("");
-  if (impl->device == nullptr) {
-    return Fail(Failure(
-        "embree",
-        "no device: error " + std::to_string(rtcGetDeviceError(nullptr))));
-  }
+  if (impl->device == nullptr) return Fail(DeviceError(nullptr));
   impl->scene = rtcNewScene(impl->device);
+  if (impl->scene == nullptr) return Fail(DeviceError(impl->device));
   impl->geometry = &geometry;
   impl->view = ViewOf(geometry);
   impl->transmittance = std::move(transmittance);
   rtcSetSceneFlags(impl->scene, RTC_SCENE_FLAG_ROBUST);
-  AttachGeometry(impl.get());
-  rtcCommitScene(impl->scene);
+  if (!AttachGeometry(impl.get())) return Fail(DeviceError(impl->device));
+  RunBounded(threads, [&] { rtcJoinCommitScene(impl->scene); });
   const RTCError error = rtcGetDeviceError(impl->device);
-  if (error != RTC_ERROR_NONE) {
-    return Fail(Failure("embree", error == RTC_ERROR_OUT_OF_MEMORY
-                                      ? "out of memory"
-                                      : "error " + std::to_string(error)));
-  }
+  if (error != RTC_ERROR_NONE) return Fail(EmbreeError(error));
   return EmbreeAccel(std::move(impl));
 }
 

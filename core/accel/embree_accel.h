@@ -21,8 +21,11 @@ class EmbreeAccel {
   /// @param geometry must outlive the accelerator.
   /// @param transmittance per object: what share of light passes straight
   /// through its surface at one crossing; 0 = opaque.
+  /// @param threads at most this many build it; 0 = all cores.
+  /// @return an Error when memory does not suffice.
   static Result<EmbreeAccel> Build(const Geometry& geometry,
-                                   std::vector<Rgb> transmittance);
+                                   std::vector<Rgb> transmittance,
+                                   int threads = 0);
 
   EmbreeAccel(EmbreeAccel&&) noexcept;
   EmbreeAccel& operator=(EmbreeAccel&&) noexcept;

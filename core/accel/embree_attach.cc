@@ -101,18 +101,23 @@ void TriangleOccludedFilter(const RTCFilterFunctionNArguments* args) {
   }
 }
 
-void AttachTriangles(Impl* impl) {
+bool AttachTriangles(Impl* impl) {
   const Geometry& g = *impl->geometry;
   const std::size_t count = g.triangle_objects.size();
-  if (count == 0) return;
+  if (count == 0) return true;
   RTCGeometry geometry =
       rtcNewGeometry(impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  if (geometry == nullptr) return false;
   auto* vertices = static_cast<V3f*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                               RTC_FORMAT_FLOAT3, sizeof(V3f), 3 * count));
   auto* indices = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
                               RTC_FORMAT_UINT3, 3 * sizeof(unsigned), count));
+  if (vertices == nullptr || indices == nullptr) {
+    rtcReleaseGeometry(geometry);
+    return false;
+  }
   for (std::size_t i = 0; i < 3 * count; ++i) {
     vertices[i] = g.vertices[i];
     indices[i] = static_cast<unsigned>(i);
@@ -124,13 +129,15 @@ void AttachTriangles(Impl* impl) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(impl->scene, geometry, kTriangles);
   rtcReleaseGeometry(geometry);
+  return true;
 }
 
 template <class Kind>
-void AttachQuadrics(Impl* impl) {
+bool AttachQuadrics(Impl* impl) {
   const std::size_t count = Kind::Of(*impl->geometry).size();
-  if (count == 0) return;
+  if (count == 0) return true;
   RTCGeometry geometry = rtcNewGeometry(impl->device, RTC_GEOMETRY_TYPE_USER);
+  if (geometry == nullptr) return false;
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
   rtcSetGeometryUserData(geometry, impl);
   rtcSetGeometryBoundsFunction(
@@ -142,14 +149,14 @@ void AttachQuadrics(Impl* impl) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(impl->scene, geometry, Kind::kId);
   rtcReleaseGeometry(geometry);
+  return true;
 }
 
 }  // namespace
 
-void AttachGeometry(EmbreeAccel::Impl* impl) {
-  AttachTriangles(impl);
-  AttachQuadrics<SphereKind>(impl);
-  AttachQuadrics<DiskKind>(impl);
+bool AttachGeometry(EmbreeAccel::Impl* impl) {
+  return AttachTriangles(impl) && AttachQuadrics<SphereKind>(impl) &&
+         AttachQuadrics<DiskKind>(impl);
 }
 
 }  // namespace rtb

@@ -53,6 +53,7 @@ struct EmbreeAccel::Impl {
 };
 
 /// Attaches triangles, spheres and disks to the scene, with their callbacks.
-void AttachGeometry(EmbreeAccel::Impl* impl);
+/// @return whether Embree had the memory for it.
+bool AttachGeometry(EmbreeAccel::Impl* impl);
 
 }  // namespace rtb

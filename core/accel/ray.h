@@ -36,16 +36,18 @@ struct SurfacePoint {
 };
 
 /// An origin for a new ray that starts at `point` and leaves on the side of
-/// `direction`: moved along the normal by 2^-16 of the coordinates that the
-/// point was computed from, 256 units in the last place, which bounds the
-/// error of the point. The constant is that of Waechter and Binder, "A Fast
-/// and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019,
-/// chapter 6; taking the primitive's own scale in place of an absolute limit
-/// near the origin makes it hold at every scale of scene.
+/// `direction`: moved along the normal by a bound of the errors that make a
+/// ray meet its own surface again. These are those of the point itself, which
+/// is computed from the primitive (never from the ray's length), and those of
+/// the next intersection: together under 16 units in the last place of the
+/// largest coordinate that enters them. After Waechter and Binder, "A Fast and
+/// Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019,
+/// chapter 6; their 256 units cover points from barycentric coordinates of
+/// unknown primitives, and are too coarse under grazing light.
 RTB_HD inline V3f LeavingOrigin(const SurfacePoint& point,
                                 const V3f& direction) {
   const float side = direction.dot(point.normal) < 0 ? -1.0f : 1.0f;
-  return point.position + point.normal * (side * 0x1p-16f * point.scale);
+  return point.position + point.normal * (side * 0x1p-20f * point.scale);
 }
 
 }  // namespace rtb

@@ -27,8 +27,10 @@ RTB_HD inline SurfacePoint TriangleSurface(const GeometryView& g,
                                            const Hit& hit) {
   const V3f* v = g.vertices + 3 * static_cast<std::size_t>(hit.primitive);
   SurfacePoint point;
-  point.position = v[0] * (1 - hit.u - hit.v) + v[1] * hit.u + v[2] * hit.v;
-  point.normal = UnitCross(v[1] - v[0], v[2] - v[0]);
+  const V3f e0 = v[1] - v[0];
+  const V3f e1 = v[2] - v[0];
+  point.position = v[0] + (e0 * hit.u + e1 * hit.v);
+  point.normal = UnitCross(e0, e1);
   point.scale = std::max(std::max(MaxAbs(v[0]), MaxAbs(v[1])), MaxAbs(v[2]));
   point.object = g.triangle_objects[hit.primitive];
   return point;
@@ -36,16 +38,12 @@ RTB_HD inline SurfacePoint TriangleSurface(const GeometryView& g,
 
 RTB_HD inline SurfacePoint SphereSurface(const Quadric& sphere,
                                          const V3f& approximate) {
-  // Projected onto the unit sphere, then mapped back: exact to a few units in
-  // the last place, so an eighth of the usual distance is safe for new rays.
-  // It matters at the rim of glass, where rays run along the surface.
-  constexpr float kProjected = 0.125f;
+  // Projected onto the unit sphere, then mapped back.
   const V3f unit =
       sphere.to_unit.Direction(approximate - sphere.center).normalized();
   const V3f normal = sphere.to_unit.Transposed(unit);
   return {sphere.center + sphere.to_world.Direction(unit),
-          (normal / MaxAbs(normal)).normalized(), sphere.scale * kProjected,
-          sphere.object};
+          (normal / MaxAbs(normal)).normalized(), sphere.scale, sphere.object};
 }
 
 RTB_HD inline SurfacePoint DiskSurface(const Quadric& disk,

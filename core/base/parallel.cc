@@ -45,14 +45,18 @@ void ParallelFor(int count, int grain, int threads,
     for (int block = 0; block < blocks; ++block) run_block(block);
     return;
   }
+  RunBounded(threads, [&] {
+    tbb::parallel_for(0, blocks, run_block, tbb::simple_partitioner());
+  });
+}
+
+void RunBounded(int threads, const std::function<void()>& work) {
   // An arena of our own bounds the threads: Embree's device installs no
   // process-wide limit this way. Asking for more threads than there are cores
   // would make TBB print a warning.
   const int cores = tbb::info::default_concurrency();
   tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
-  arena.execute([&] {
-    tbb::parallel_for(0, blocks, run_block, tbb::simple_partitioner());
-  });
+  arena.execute(work);
 }
 
 }  // namespace rtb

@@ -12,4 +12,8 @@ namespace rtb {
 void ParallelFor(int count, int grain, int threads,
                  const std::function<void(int begin, int end)>& body);
 
+/// Runs `work` so that the parallel loops of libraries in it (TBB's) use at
+/// most `threads` threads (0 = all cores).
+void RunBounded(int threads, const std::function<void()>& work);
+
 }  // namespace rtb

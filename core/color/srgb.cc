@@ -1,7 +1,10 @@
 #include "core/color/srgb.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace rtb {
 namespace {
@@ -19,6 +22,72 @@ double Decode(double v) {
 double Clip(double value) {
   if (!(value > 0)) return 0;
   return value < 1 ? value : 1.0;
+}
+
+/// What SrgbEncode8 answers; it gets there without the power.
+int EncodeCode(float linear) {
+  return static_cast<int>(Encode(Clip(linear)) * 255 + 0.5);
+}
+
+/// The smallest float whose code is at least `code`. Codes do not fall as
+/// floats grow, and positive floats are ordered as their bits are.
+float FirstOfCode(int code) {
+  std::uint32_t low = 0;
+  std::uint32_t high = std::bit_cast<std::uint32_t>(1.0f);
+  while (low < high) {
+    const std::uint32_t middle = (low + high) / 2;
+    if (EncodeCode(std::bit_cast<float>(middle)) < code) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return std::bit_cast<float>(low);
+}
+
+/// Codes of floats by comparison alone. [kDarkest, 1] falls into buckets of
+/// equal leading bits, 128 an octave. A code takes up at least 1/84 of the
+/// start of the octave that it lies in, so no bucket sees more than two codes.
+class EncodeTable {
+ public:
+  EncodeTable() {
+    for (std::size_t i = 0; i < kBuckets; ++i) {
+      const auto bits = static_cast<std::uint32_t>(i + kFirstBucket) << kShift;
+      code_at_start_[i] =
+          static_cast<std::uint8_t>(EncodeCode(std::bit_cast<float>(bits)));
+    }
+    for (std::size_t code = 0; code < 256; ++code) {
+      first_[code] = FirstOfCode(static_cast<int>(code));
+    }
+    first_[256] = std::numeric_limits<float>::infinity();
+  }
+
+  std::uint8_t Code(float linear) const {
+    // In this order of arguments NaN becomes black.
+    linear = std::min(std::max(kDarkest, linear), 1.0f);
+    const std::uint8_t code = code_at_start_[Bucket(linear)];
+    return static_cast<std::uint8_t>(code + (linear >= first_[code + 1u]));
+  }
+
+ private:
+  static constexpr float kDarkest = 0x1p-13f;  ///< Still black.
+  static constexpr int kShift = 23 - 7;  ///< Leaves 7 bits of the mantissa.
+  static constexpr std::size_t kFirstBucket =
+      std::bit_cast<std::uint32_t>(kDarkest) >> kShift;
+  static constexpr std::size_t kBuckets =
+      (std::bit_cast<std::uint32_t>(1.0f) >> kShift) - kFirstBucket + 1;
+
+  static std::size_t Bucket(float linear) {
+    return (std::bit_cast<std::uint32_t>(linear) >> kShift) - kFirstBucket;
+  }
+
+  std::array<std::uint8_t, kBuckets> code_at_start_;
+  std::array<float, 257> first_;  ///< The smallest float of each code.
+};
+
+const EncodeTable& Codes() {
+  static const EncodeTable table;
+  return table;
 }
 
 std::array<float, 256> MakeDecodeTable() {
@@ -41,9 +110,7 @@ float SrgbDecode(float encoded) {
 
 double SrgbDecode(double encoded) { return Decode(Clip(encoded)); }
 
-std::uint8_t SrgbEncode8(float linear) {
-  return static_cast<std::uint8_t>(Encode(Clip(linear)) * 255 + 0.5);
-}
+std::uint8_t SrgbEncode8(float linear) { return Codes().Code(linear); }
 
 float SrgbDecode8(std::uint8_t code) {
   static const std::array<float, 256> table = MakeDecodeTable();
@@ -51,7 +118,8 @@ float SrgbDecode8(std::uint8_t code) {
 }
 
 Rgb8 Encode8(const Rgb& linear) {
-  return {SrgbEncode8(linear.x), SrgbEncode8(linear.y), SrgbEncode8(linear.z)};
+  const EncodeTable& codes = Codes();
+  return {codes.Code(linear.x), codes.Code(linear.y), codes.Code(linear.z)};
 }
 
 Rgb Decode8(Rgb8 color) {

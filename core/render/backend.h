@@ -5,12 +5,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "core/base/result.h"
 #include "core/render/fragments.h"
+#include "core/render/ray_counts.h"
 #include "core/render/sample_plan.h"
+#include "core/scene/animation.h"
 #include "core/scene/scene.h"
 
 namespace rtb {
@@ -23,13 +26,8 @@ struct RenderOptions {
   int max_depth = -1;      ///< Bounces after the eye ray; -1 = the scene's.
   int threads = 0;         ///< Upper bound; 0 = all cores.
   std::string integrator = "whitted";
-};
-
-/// Rays traced by one Render call, by kind.
-struct RayCounts {
-  std::uint64_t camera = 0;
-  std::uint64_t shadow = 0;
-  std::uint64_t secondary = 0;  ///< Reflection and refraction rays.
+  /// A camera in place of the scene's at that time.
+  std::optional<CameraFrame> camera;
 };
 
 /// A scene prepared for rendering on one device.
@@ -42,6 +40,7 @@ class Backend {
 
   /// Renders every sample of the plan: linear radiance, not exposed. The
   /// result depends on the arguments alone, never on the number of threads.
+  /// One call at a time. @return also the errors of Flatten.
   virtual Result<Fragments> Render(const SamplePlan& plan,
                                    const RenderOptions& options) = 0;
 
@@ -60,9 +59,10 @@ struct BackendInfo {
 /// All backends that the command line names, available or not.
 std::span<const BackendInfo> Backends();
 
-/// Prepares `scene` (which must outlive the backend) on the named backend.
+/// A backend of that name for `scene`, which must outlive it. The scene is
+/// composed and its accelerator built by the first Render at each time.
 /// @return kBadInput for an unknown name, kMissing for one that is not
-/// available, and the errors of CheckRenderable and Flatten.
+/// available, and the errors of CheckRenderable.
 Result<std::unique_ptr<Backend>> MakeBackend(const std::string& name,
                                              const Scene& scene);
 

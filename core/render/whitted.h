@@ -4,7 +4,7 @@
 
 #include "core/accel/surface.h"
 #include "core/base/host_device.h"
-#include "core/render/backend.h"
+#include "core/render/ray_counts.h"
 #include "core/shading/fresnel.h"
 #include "core/shading/shading_scene.h"
 

@@ -52,7 +52,8 @@ struct FlatScene {
 /// Composes the scene's tree at `time`: transforms, inherited materials,
 /// instances, paths; polygons become fans, boxes twelve triangles with
 /// outward normals, quads two.
-/// @return an Error when a degenerate transform arises (scale underflow).
+/// @return an Error when something leaves the range in which single precision
+/// can square lengths, or when there are too many triangles.
 Result<FlatScene> Flatten(const Scene& scene, double time);
 
 }  // namespace rtb

@@ -42,6 +42,10 @@ bool Representable(const Affined& map) {
   return all(map) && all(map.Inverse());
 }
 
+/// Instances are expanded: more triangles than this would not fit into the
+/// memory of common machines (some 200 bytes each, accelerator included).
+constexpr std::size_t kMostTriangles = std::size_t{1} << 26;
+
 /// Appends the primitives of one object to a FlatScene.
 class ShapeFlattener {
  public:
@@ -153,6 +157,9 @@ class Flattener {
       return {};
     }
     flat_.objects.push_back({context.material, context.to_world});
+    if (flat_.triangles.size() + TrianglesOf(*source) > kMostTriangles) {
+      return Fail(TooMany(object));
+    }
     ShapeFlattener shape(scene_, context.to_world, &flat_);
     std::visit(shape, source->shape);
     if (!shape.representable()) return Fail(OutOfRange(object));
@@ -181,10 +188,28 @@ class Flattener {
     return context;
   }
 
+  /// How many triangles a mesh adds; other shapes add few.
+  std::size_t TrianglesOf(const Object& object) const {
+    const auto* mesh = std::get_if<Mesh>(&object.shape);
+    if (mesh == nullptr) return 0;
+    return scene_.meshes[static_cast<std::size_t>(mesh->data)].triangles.size();
+  }
+
+  std::string Place(const Object& object) const {
+    return scene_.file.string() + ":" + std::to_string(object.mark.line) + ":" +
+           std::to_string(object.mark.column);
+  }
+
+  Error TooMany(const Object& object) const {
+    return BadInput(Place(object),
+                    "the scene has more than " +
+                        std::to_string(kMostTriangles) +
+                        " triangles up to here, each instance counted",
+                    "use fewer instances or a coarser mesh");
+  }
+
   Error OutOfRange(const Object& object) const {
-    return BadInput(scene_.file.string() + ":" +
-                        std::to_string(object.mark.line) + ":" +
-                        std::to_string(object.mark.column),
+    return BadInput(Place(object),
                     "the object, composed, leaves single precision's range",
                     "check the sizes, `position` and `scale` of it and its "
                     "groups");

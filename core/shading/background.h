@@ -2,6 +2,8 @@
 /// The radiance that rays bring from beyond the scene.
 #pragma once
 
+#include <algorithm>
+
 #include "core/base/host_device.h"
 #include "core/math/vec.h"
 

@@ -1,6 +1,8 @@
 #include <vterm.h>
 
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "encoders/palette.h"
 #include "encoders/parse/glyph_text.h"
@@ -36,6 +38,12 @@ Cell ToCell(const VTermScreenCell& cell) {
   return result;
 }
 
+/// Counts the lines that leave the screen at its top.
+int CountScrolled(int, const VTermScreenCell*, void* user) {
+  ++*static_cast<int*>(user);
+  return 1;
+}
+
 }  // namespace
 
 Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size) {
@@ -48,10 +56,21 @@ Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size) {
   vterm_set_utf8(terminal.get(), 1);
   VTermScreen* const screen = vterm_obtain_screen(terminal.get());
   vterm_screen_enable_altscreen(screen, 1);
+  int scrolled = 0;
+  VTermScreenCallbacks callbacks{};
+  callbacks.sb_pushline = CountScrolled;
+  vterm_screen_set_callbacks(screen, &callbacks, &scrolled);
   vterm_screen_reset(screen, 1);
   const std::string input = TerminalInput(ansi);
   vterm_input_write(terminal.get(), input.data(), input.size());
   vterm_screen_flush_damage(screen);
+  if (scrolled > 0) {
+    return Fail(BadInput("ANSI text",
+                         "does not fit into " + std::to_string(size.columns) +
+                             " x " + std::to_string(size.rows) + " cells: " +
+                             std::to_string(scrolled) + " lines scrolled away",
+                         "name the grid that the text was made for"));
+  }
   CellGrid grid(size);
   for (int row = 0; row < size.rows; ++row) {
     for (int column = 0; column < size.columns; ++column) {

@@ -14,6 +14,7 @@ Result<CellGrid> ParseCellsJson(const std::string& text,
                                 const std::string& name);
 
 /// What a terminal of the given size shows after `ansi` was written to it.
+/// @return an Error when the text scrolls: it was made for a larger grid.
 Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size);
 
 }  // namespace rtb

@@ -70,7 +70,6 @@ Status WritePicture(const CellGrid& grid, const EncodeOptions& options) {
     return Fail(
         BadInput("--output", "a PNG does not go to a terminal", "give a file"));
   }
-  RTB_RETURN_IF_ERROR(RasterSize(grid.size, CellOf(options.decode)));
   DecodeOptions decode = options.decode;
   decode.threads = options.scene.options.threads;
   RTB_ASSIGN_OR_RETURN(const Image image, Decode(grid, decode));
@@ -78,21 +77,28 @@ Status WritePicture(const CellGrid& grid, const EncodeOptions& options) {
   return WriteOutput(options.output, png);
 }
 
-std::string FormatOf(const EncodeOptions& options) {
+Result<std::string> FormatOf(const EncodeOptions& options) {
   if (!options.format.empty()) return options.format;
   const std::string extension = LowerExtension(options.output);
-  for (const char* format : {"json", "svg", "png"}) {
+  for (const char* format : {"json", "svg", "png", "ansi"}) {
     if (extension == "." + std::string(format)) return format;
   }
-  return "ansi";
+  if (extension.empty() || extension == ".ans" || extension == ".txt") {
+    return "ansi";
+  }
+  return Fail(BadInput("--output", "no format has the extension " + extension,
+                       "take .ansi, .json, .svg or .png, or name --format"));
 }
 
 Status Encode(const EncodeOptions& options) {
   if (options.input.empty() == options.scene.scene.empty()) {
     return Fail(BadInput("encode", "expected either --input or --scene"));
   }
+  RTB_ASSIGN_OR_RETURN(const std::string format, FormatOf(options));
+  if (format == "png") {  // before the work
+    RTB_RETURN_IF_ERROR(RasterSize(options.grid, CellOf(options.decode)));
+  }
   RTB_ASSIGN_OR_RETURN(const CellGrid grid, EncodeInput(options));
-  const std::string format = FormatOf(options);
   if (format == "png") return WritePicture(grid, options);
   if (format == "json") {
     return WriteOutput(options.output, EmitJson(grid));

@@ -18,6 +18,17 @@ struct ReferenceOptions {
   bool quiet = false;
 };
 
+/// Only the canonical kind of image may replace a reference unasked.
+Status CheckCanonical(const ReferenceRequest& request) {
+  if (request.width == 960 && request.height == 640 && request.spp >= 64) {
+    return {};
+  }
+  return Fail(BadInput("reference",
+                       "without --output the scene's own reference would be "
+                       "replaced, which is 960x640 with 64 or more rays",
+                       "name another file with --output"));
+}
+
 Status WriteReference(const ReferenceOptions& options) {
   if (options.renderer == "cycles") {
     return Fail(Missing("--renderer", "this version cannot run Cycles",
@@ -30,6 +41,7 @@ Status WriteReference(const ReferenceOptions& options) {
   request.height = options.size.height;
   request.output = options.output;
   if (request.output.empty()) {
+    RTB_RETURN_IF_ERROR(CheckCanonical(request));
     request.output = ReferenceFile(scene.file, "povray", request.time);
   }
   RTB_RETURN_IF_ERROR(
@@ -47,11 +59,12 @@ void AddOptions(CLI::App& app, ReferenceOptions& options) {
             options.size, ParseImageSize);
   AddSpp(app, options.request.spp);
   AddTime(app, options.request.time);
-  AddText(app,
-          {"--output", "FILE",
-           "reference/SCENE.povray.exr, or SCENE.tTIME.povray.exr",
-           "The EXR; its provenance goes beside it"},
-          options.output);
+  AddText(
+      app,
+      {"--output", "FILE",
+       "reference/SCENE.povray.exr, or SCENE.tTIME.povray.exr",
+       "The EXR, by default beside the scenes; its provenance goes beside it"},
+      options.output);
   AddQuiet(app, options.quiet);
 }
 

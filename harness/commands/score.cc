@@ -9,6 +9,7 @@
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
+#include "harness/metrics/flip_map.h"
 #include "harness/metrics/metric.h"
 #include "harness/rasters.h"
 #include "harness/results/run_record_json.h"
@@ -77,15 +78,31 @@ std::string Lines(const Json& values) {
   return text;
 }
 
-/// Lines on standard output, and JSON where it is asked for.
-Status Report(const std::string& key, const Json& values,
-              const ScoreOptions& options) {
+/// Lines under a title on standard output, and JSON where it is asked for.
+Status Report(const Json& document, const Json& values,
+              const std::string& title, const ScoreOptions& options) {
   if (!options.json.empty()) {
-    RTB_RETURN_IF_ERROR(
-        WriteJson(options.json, Json{{"schema", 1}, {key, values}}));
+    RTB_RETURN_IF_ERROR(WriteJson(options.json, document));
   }
   if (options.json == "-") return {};
-  return WriteOutput("-", Lines(values));
+  return WriteOutput("-", title + Lines(values));
+}
+
+/// A FLIP value says nothing without its pixels per degree and its raster.
+Status ReportScores(const std::vector<MetricValue>& scores, const Image& raster,
+                    const ScoreOptions& options) {
+  const Json values = MetricsToJson(scores);
+  const std::string size =
+      std::to_string(raster.width()) + "x" + std::to_string(raster.height());
+  return Report(Json{{"schema", 1},
+                     {"metrics", values},
+                     {"ppd", kFlipPpd},
+                     {"raster", {raster.width(), raster.height()}}},
+                values,
+                "compared at " + size +
+                    " pixels; flip and flip_p95 at 40 "
+                    "pixels per degree\n",
+                options);
 }
 
 Status ScoreAgainstReference(const ScoreOptions& options) {
@@ -96,18 +113,18 @@ Status ScoreAgainstReference(const ScoreOptions& options) {
                        MatchRasters(reference, test, "--reference"));
   RTB_ASSIGN_OR_RETURN(const std::vector<MetricValue> scores,
                        Score(pair.reference, pair.test, options.threads));
-  return Report("metrics", MetricsToJson(scores), options);
+  return ReportScores(scores, pair.test, options);
 }
 
 Status CompareGrids(const ScoreOptions& options) {
   RTB_ASSIGN_OR_RETURN(const CellGrid a, ReadCells(options.cells));
   RTB_ASSIGN_OR_RETURN(const CellGrid b, ReadCells(options.against));
   RTB_ASSIGN_OR_RETURN(const CellDifference difference, CompareCells(a, b));
-  return Report("difference",
-                Json{{"total", difference.total},
-                     {"cells", difference.cells},
-                     {"glyphs", difference.glyphs},
-                     {"colors", difference.colors}},
+  const Json values{{"total", difference.total},
+                    {"cells", difference.cells},
+                    {"glyphs", difference.glyphs},
+                    {"colors", difference.colors}};
+  return Report(Json{{"schema", 1}, {"difference", values}}, values, "",
                 options);
 }
 

@@ -67,7 +67,8 @@ class BenchTest(ProgramTest):
         self.assertEqual(run["scene"], "cornell")
         self.assertEqual(run["encoder"], "tiv")
         self.assertEqual(run["grid"], [12, 4])
-        self.assertEqual(run["rays_per_cell"], 32)
+        # 32 samples of 4 rays.
+        self.assertEqual(run["rays_per_cell"], 128)
         for stage in ("plan", "render", "encode"):
             times = run["ms"][stage]
             self.assertEqual(len(times["samples"]), 1)

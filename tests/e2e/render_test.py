@@ -129,6 +129,9 @@ class ReferenceTest(ProgramTest):
 
     def test_errors(self):
         self.fail_with(2, "reference", "--scene=cornell", says="--renderer")
+        # A small image must not take the canonical one's place unasked.
+        self.fail_with(2, "reference", "--scene=cornell", "--renderer=povray",
+                       "--size=48x32", says="--output")
         self.fail_with(2, "reference", "--scene=cornell", "--renderer=embree",
                        says=("embree", "povray"))
         self.fail_with(2, "reference", "--renderer=povray", says="cornell")

@@ -21,7 +21,8 @@ class ScoreTest(ProgramTest):
     def metrics(self, *args):
         record = json.loads(self.succeed("score", "--reference=a.png", *args,
                                          "--json=-"))
-        self.assertEqual(list(record), ["schema", "metrics"])
+        self.assertEqual(list(record), ["schema", "metrics", "ppd",
+                                        "raster"])
         self.assertEqual(record["schema"], 1)
         return record["metrics"]
 
@@ -62,12 +63,20 @@ class ScoreTest(ProgramTest):
     def test_lines_and_a_json_file(self):
         text = self.succeed("score", "--reference=a.png", "--image=a.png",
                             "--json=out.json").decode()
-        lines = dict(line.split() for line in text.splitlines())
+        title, *rest = text.splitlines()
+        # Never a FLIP value without its pixels per degree and raster.
+        self.assertRegex(title, r"^compared at \d+x\d+ pixels; .* 40 pixels")
+        lines = dict(line.split() for line in rest)
         self.assertEqual(list(lines), METRICS)
         self.assertEqual(lines["psnr"], "-")
         self.assertEqual(lines["flip"], "0")
         record = json.loads((self.folder / "out.json").read_text())
         self.assertEqual(record["metrics"]["flip"], 0)
+        self.assertEqual(record["ppd"], 40)
+
+    def test_ansi_text_of_a_larger_grid_is_refused(self):
+        self.fail_with(2, "score", "--reference=a.png", "--ansi=-",
+                       "--grid=4x2", stdin=b"1\n2\n3\n", says="scrolled")
 
     def test_other_sizes_are_reduced(self):
         # Every pixel doubled: the area average gives the original back.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "tests/encoders/testing.h"
 
@@ -46,18 +47,15 @@ void ExpectBest(const std::vector<V3d>& samples, const Cell& cell, Blend blend,
 
 }  // namespace
 
-void ExpectBestPartitions(const std::string& spec, Blend blend,
+void ExpectBestPartitions(const std::string& spec, int samples, Blend blend,
                           char32_t (*glyph)(unsigned)) {
-  const auto encoder = Make(spec);
-  const Fragments fragments =
-      RandomFragments(encoder->Plan({40, 25}, 0.5, 0), 3);
-  const CellGrid grid = encoder->Encode(fragments, {});
-  for (int cell = 0; cell < 1000; ++cell) {
-    const auto linear = fragments.cell(cell);
-    std::vector<V3d> samples(linear.size(), V3d(0));
-    ToBlend(blend, linear, samples);
-    ExpectBest(samples, grid.cells[static_cast<std::size_t>(cell)], blend,
-               glyph);
+  const std::vector<Rgb> linear = RandomValues(1000 * samples, 3);
+  const CellGrid grid = EncodeValues(spec, {40, 25}, linear);
+  const auto count = static_cast<std::size_t>(samples);
+  std::vector<V3d> blended(count, V3d(0));
+  for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
+    ToBlend(blend, std::span(linear).subspan(cell * count, count), blended);
+    ExpectBest(blended, grid.cells[cell], blend, glyph);
   }
 }
 

@@ -68,8 +68,8 @@ TEST(DecodeTest, GlyphsThatNoFontHasAreErrors) {
 }
 
 TEST(DecodeTest, DoesNotDependOnTheNumberOfThreads) {
-  const CellGrid grid = Make("tiv")->Encode(
-      RandomFragments(Make("tiv")->Plan({9, 7}, 0.5, 0), 1), {});
+  const CellGrid grid =
+      EncodeValues("tiv", {9, 7}, RandomValues(9 * 7 * 32, 1));
   DecodeOptions options;
   options.threads = 1;
   const auto one = Decode(grid, options);

@@ -1,19 +1,25 @@
 // The conformance suite that every encoder gets for free: each entry of the
-// registry, and the example of the documentation, with its defaults and with
-// every value of every parameter that has a list of values.
+// registry, and the examples of the documentation, with its defaults and with
+// every value of every parameter that has a list of values. Encoders are run on
+// pictures that are functions of the position, whatever they ask for and in
+// however many rounds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <ostream>
 
-#include "core/base/check.h"
+#include "core/math/random.h"
 #include "encoders/decode.h"
 #include "encoders/emit/emit.h"
 #include "encoders/parameters.h"
 #include "encoders/parse/parse.h"
+#include "encoders/plan_encoder.h"
 #include "tests/encoders/example_encoder.h"
+#include "tests/encoders/picture_source.h"
+#include "tests/encoders/rounds_encoder.h"
 #include "tests/encoders/testing.h"
 
 namespace rtb {
@@ -33,6 +39,7 @@ std::vector<Variant> AllVariants() {
   const auto entries = EncoderEntries();
   std::vector<EncoderEntry> all(entries.begin(), entries.end());
   all.push_back(example_entry());
+  all.push_back(rounds_entry());
   std::vector<Variant> variants;
   for (const EncoderEntry& entry : all) {
     variants.push_back({entry, {}, entry.info.name});
@@ -49,6 +56,14 @@ std::vector<Variant> AllVariants() {
   return variants;
 }
 
+constexpr double kCellAspect = 0.5;
+
+/// Waves in each channel, some of them beyond [0, 1].
+float Waves(double x, double y, int channel) {
+  return static_cast<float>(
+      0.5 + 0.7 * std::sin((2.1 + channel) * x + 3.7 * y + 0.3 * x * y));
+}
+
 class EveryEncoder : public testing::TestWithParam<Variant> {
  protected:
   void SetUp() override {
@@ -57,45 +72,53 @@ class EveryEncoder : public testing::TestWithParam<Variant> {
     encoder_ = std::move(*made);
   }
 
-  CellGrid EncodeRandom(GridSize size, int threads = 0) const {
-    EncodeContext context;
-    context.threads = threads;
-    return encoder_->Encode(RandomFragments(PlanFor(size), 7), context);
+  /// Runs the encoder, and checks its plans and what it says of them.
+  CellGrid Encode(GridSize size, const Picture& picture,
+                  const EncodeContext& context = {}) const {
+    PictureSource source(picture);
+    auto encoding = encoder_->Run(source, size, kCellAspect, context);
+    if (!encoding) {
+      ADD_FAILURE() << encoding.error().ToString();
+      return CellGrid(size);
+    }
+    for (const SamplePlan& plan : source.plans()) {
+      ExpectSound(plan, size, kCellAspect);
+    }
+    EXPECT_GT(source.samples(), 0);
+    EXPECT_DOUBLE_EQ(encoding->rays_per_cell, source.samples() / size.cells());
+    return std::move(encoding->grid);
   }
 
-  SamplePlan PlanFor(GridSize size) const {
-    return encoder_->Plan(size, 0.5, 0);
+  CellGrid EncodeWaves(GridSize size, int threads = 0) const {
+    EncodeContext context;
+    context.threads = threads;
+    return Encode(size, Waves, context);
   }
 
   std::unique_ptr<Encoder> encoder_;
 };
 
-TEST_P(EveryEncoder, PlansAsManyPositionsAsItSaysInsideTheCell) {
-  const SamplePlan plan = encoder_->Plan({3, 2}, 0.5, 1);
-  EXPECT_EQ(plan.grid, (GridSize{3, 2}));
-  EXPECT_EQ(plan.cell_aspect, 0.5);
-  if (GetParam().parameters.empty()) {
-    EXPECT_EQ(plan.samples_per_cell, GetParam().entry.info.samples_per_cell);
+TEST_P(EveryEncoder, AsksForNoMoreThanItsEntrySays) {
+  // The entry speaks of the defaults.
+  if (!GetParam().parameters.empty()) return;
+  PictureSource source(Waves);
+  const auto encoding = encoder_->Run(source, {7, 5}, kCellAspect, {});
+  ASSERT_TRUE(encoding) << encoding.error().ToString();
+  const int promised = GetParam().entry.info.samples_per_cell;
+  EXPECT_LE(encoding->rays_per_cell, promised);
+  if (dynamic_cast<const PlanEncoder*>(encoder_.get()) != nullptr) {
+    EXPECT_EQ(encoding->rays_per_cell, promised);
   }
-  const auto samples = static_cast<std::size_t>(plan.samples_per_cell);
-  EXPECT_TRUE(plan.positions.size() == samples ||
-              plan.positions.size() == 6 * samples);
-  for (const V2f& position : plan.positions) {
-    EXPECT_GE(std::min(position.x, position.y), 0.0f);
-    EXPECT_LT(std::max(position.x, position.y), 1.0f);
-  }
-  EXPECT_GT(std::min(plan.footprint.x, plan.footprint.y), 0.0f);
-  EXPECT_LE(std::max(plan.footprint.x, plan.footprint.y), 1.0f);
 }
 
 TEST_P(EveryEncoder, IsPure) {
-  EXPECT_EQ(EncodeRandom({7, 5}), EncodeRandom({7, 5}));
+  EXPECT_EQ(EncodeWaves({7, 5}), EncodeWaves({7, 5}));
 }
 
 TEST_P(EveryEncoder, CoversGridsOfAnySize) {
   for (const GridSize size : {GridSize{1, 1}, GridSize{3, 5}, GridSize{17, 1},
                               GridSize{1, 9}, GridSize{80, 24}}) {
-    const CellGrid grid = EncodeRandom(size);
+    const CellGrid grid = EncodeWaves(size);
     EXPECT_EQ(grid.size, size);
     EXPECT_EQ(grid.cells.size(), static_cast<std::size_t>(size.cells()));
     EXPECT_TRUE(std::ranges::none_of(
@@ -103,20 +126,21 @@ TEST_P(EveryEncoder, CoversGridsOfAnySize) {
   }
 }
 
-// Cells are encoded one by one: the last cell of a grid is what a grid of that
-// cell alone would hold.
+// One thread and more give the same cells. The grid holds some 13 times as many
+// as one task takes on (64), so that all threads have work.
 TEST_P(EveryEncoder, DoesNotDependOnTheNumberOfThreads) {
-  const CellGrid one = EncodeRandom({37, 23}, 1);
-  EXPECT_EQ(EncodeRandom({37, 23}, 2), one);
-  EXPECT_EQ(EncodeRandom({37, 23}, 3), one);
+  const CellGrid one = EncodeWaves({37, 23}, 1);
+  EXPECT_EQ(EncodeWaves({37, 23}, 2), one);
+  EXPECT_EQ(EncodeWaves({37, 23}, 3), one);
 }
 
 // A picture of one color shows that color everywhere, whatever the glyphs.
 TEST_P(EveryEncoder, KeepsAUniformColor) {
   const Rgb8 color{200, 90, 17};
-  Fragments fragments(PlanFor({3, 2}));
-  std::ranges::fill(fragments.values, Decode8(color));
-  const auto image = Decode(encoder_->Encode(fragments, {}), {});
+  const CellGrid grid = Encode({3, 2}, [&](double, double, int channel) {
+    return Decode8(color)[channel];
+  });
+  const auto image = Decode(grid, {});
   ASSERT_TRUE(image) << image.error().ToString();
   const Rgb expected = EncodedValues(color);
   for (const Rgb& pixel : image->pixels()) {
@@ -124,34 +148,36 @@ TEST_P(EveryEncoder, KeepsAUniformColor) {
   }
 }
 
+/// A choice of 0..5 that differs from place to place.
+std::size_t Choice(double x, double y, int channel) {
+  return RandomBits(std::bit_cast<std::uint32_t>(static_cast<float>(x)),
+                    std::bit_cast<std::uint32_t>(static_cast<float>(y)),
+                    static_cast<std::uint32_t>(channel), 0) %
+         6;
+}
+
 // NaN counts as 0, everything else is clipped to [0, 1].
 TEST_P(EveryEncoder, ClipsWhatCannotBeShown) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const float wild[] = {std::nanf(""), kInfinity, -kInfinity, -3, 1e30f, 0.25f};
   const float clipped[] = {0, 1, 0, 0, 1, 0.25f};
-  Fragments raw(PlanFor({5, 3}));
-  Fragments tame = raw;
-  for (std::size_t i = 0; i < raw.values.size(); ++i) {
-    for (int channel = 0; channel < 3; ++channel) {
-      // 7 and 5 spread the values over samples and channels.
-      const std::size_t which =
-          (7 * i / 3 + 5 * static_cast<std::size_t>(channel)) % 6;
-      raw.values[i][channel] = wild[which];
-      tame.values[i][channel] = clipped[which];
-    }
-  }
-  EXPECT_EQ(encoder_->Encode(raw, {}), encoder_->Encode(tame, {}));
+  const auto picture = [](const float* values) {
+    return [values](double x, double y, int channel) {
+      return values[Choice(x, y, channel)];
+    };
+  };
+  EXPECT_EQ(Encode({5, 3}, picture(wild)), Encode({5, 3}, picture(clipped)));
 }
 
 TEST_P(EveryEncoder, SurvivesTheWayThroughATerminal) {
-  const CellGrid grid = EncodeRandom({21, 13});
+  const CellGrid grid = EncodeWaves({21, 13});
   const auto parsed = ParseAnsi(EmitAnsi(grid), grid.size);
   ASSERT_TRUE(parsed) << parsed.error().ToString();
   EXPECT_EQ(Canonical(*parsed), Canonical(grid));
 }
 
 TEST_P(EveryEncoder, SurvivesTheWayThroughJson) {
-  const CellGrid grid = EncodeRandom({21, 13});
+  const CellGrid grid = EncodeWaves({21, 13});
   const auto parsed = ParseCellsJson(EmitJson(grid), "test");
   ASSERT_TRUE(parsed) << parsed.error().ToString();
   EXPECT_EQ(*parsed, grid);
@@ -161,30 +187,40 @@ TEST_P(EveryEncoder, UsesGlyphsThatCanBeDecoded) {
   for (const MaskSource masks : {MaskSource::kGeometric, MaskSource::kFont}) {
     DecodeOptions options;
     options.masks = masks;
-    const auto image = Decode(EncodeRandom({40, 20}), options);
+    const auto image = Decode(EncodeWaves({40, 20}), options);
     ASSERT_TRUE(image) << image.error().ToString();
     EXPECT_EQ(image->width(), 320);
     EXPECT_EQ(image->height(), 320);
   }
 }
 
-/// Answers any plan with random fragments.
-class RandomSource : public FragmentSource {
+/// Shows waves, but fails at one query.
+class FailingSource : public FragmentSource {
  public:
+  explicit FailingSource(std::size_t failing) : failing_(failing) {}
+
   Result<Fragments> Query(const SamplePlan& plan) override {
-    samples_ += static_cast<double>(plan.samples_per_cell);
-    return RandomFragments(plan, 7);
+    if (waves_.plans().size() == failing_) {
+      return Fail(Failure("source", "out of light"));
+    }
+    return waves_.Query(plan);
   }
-  double samples_ = 0;
+
+ private:
+  PictureSource waves_{Waves};
+  std::size_t failing_;
 };
 
-TEST_P(EveryEncoder, ReportsTheRaysItAskedFor) {
-  RandomSource source;
-  const auto encoding = encoder_->Run(source, {7, 5}, 0.5, {});
-  ASSERT_TRUE(encoding);
-  EXPECT_EQ(encoding->grid.size, (GridSize{7, 5}));
-  EXPECT_GT(encoding->rays_per_cell, 0);
-  EXPECT_LE(encoding->rays_per_cell, source.samples_);
+TEST_P(EveryEncoder, PassesOnTheErrorOfAnyQuery) {
+  PictureSource sound(Waves);
+  ASSERT_TRUE(encoder_->Run(sound, {4, 3}, kCellAspect, {}));
+  for (std::size_t failing = 0; failing < sound.plans().size(); ++failing) {
+    FailingSource source(failing);
+    const auto encoding = encoder_->Run(source, {4, 3}, kCellAspect, {});
+    ASSERT_FALSE(encoding) << failing;
+    EXPECT_EQ(encoding.error().place, "source");
+    EXPECT_EQ(encoding.error().what, "out of light");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(, EveryEncoder, testing::ValuesIn(AllVariants()),

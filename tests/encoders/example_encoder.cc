@@ -7,6 +7,7 @@
 
 #include "encoders/encode_cells.h"
 #include "encoders/parameters.h"
+#include "encoders/plan_encoder.h"
 
 namespace rtb {
 namespace {
@@ -20,7 +21,7 @@ const EncoderParameter& SideParameter() {
   return parameter;
 }
 
-class Example : public Encoder {
+class Example : public PlanEncoder {
  public:
   explicit Example(Side side) : side_(side) {}
 
@@ -29,8 +30,8 @@ class Example : public Encoder {
     return RegularPlan(grid, 2, 1, cell_aspect);
   }
 
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& context) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& context) const override {
     return EncodeCells(
         fragments, 2, context.threads, [this](std::span<const Rgb> samples) {
           return EncodeCell(Encode8(samples[0]), Encode8(samples[1]));

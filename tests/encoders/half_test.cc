@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/encoders/picture_source.h"
 #include "tests/encoders/testing.h"
 
 namespace rtb {
@@ -11,10 +12,8 @@ TEST(HalfTest, UpperSampleIsTheBackground) {
 }
 
 TEST(HalfTest, EncodesEveryCellInPlace) {
-  const auto encoder = Make("half");
-  const SamplePlan plan = encoder->Plan({2, 2}, 0.5, 0);
-  const CellGrid grid = encoder->Encode(
-      GrayFragments(plan, {{0, 1}, {2, 3}, {4, 5}, {6, 255}}), {});
+  const CellGrid grid = EncodeValues(
+      "half", {2, 2}, GrayValues({{0, 1}, {2, 3}, {4, 5}, {6, 255}}));
   EXPECT_EQ(GlyphText(grid), "▄▄\n▄▄\n");
   EXPECT_EQ(grid.at(1, 0), (Cell{U'▄', {3, 3, 3}, {2, 2, 2}}));
   EXPECT_EQ(grid.at(0, 1), (Cell{U'▄', {5, 5, 5}, {4, 4, 4}}));
@@ -22,8 +21,10 @@ TEST(HalfTest, EncodesEveryCellInPlace) {
 }
 
 TEST(HalfTest, SamplesTheMiddleOfEachHalf) {
-  const SamplePlan plan = Make("half")->Plan({1, 1}, 0.5, 0);
-  EXPECT_EQ(plan.positions,
+  PictureSource source([](double x, double y, int) { return x + y; });
+  ASSERT_TRUE(Make("half")->Run(source, {1, 1}, 0.5, {}));
+  ASSERT_EQ(source.plans().size(), 1u);
+  EXPECT_EQ(source.plans()[0].positions,
             (std::vector<V2f>{V2f(0.5f, 0.25f), V2f(0.5f, 0.75f)}));
 }
 

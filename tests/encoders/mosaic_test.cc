@@ -24,7 +24,6 @@ class MosaicTest : public testing::TestWithParam<Kind> {};
 
 // White where a bit of the pattern is set, black elsewhere.
 TEST_P(MosaicTest, DrawsEveryPattern) {
-  const auto encoder = Make(GetParam().name);
   const int patterns = 1 << GetParam().samples;
   std::vector<std::vector<int>> codes;
   for (int pattern = 0; pattern < patterns; ++pattern) {
@@ -33,8 +32,8 @@ TEST_P(MosaicTest, DrawsEveryPattern) {
       cell.push_back((pattern >> i & 1) * 255);
     }
   }
-  const SamplePlan plan = encoder->Plan({patterns, 1}, 0.5, 0);
-  const CellGrid grid = encoder->Encode(GrayFragments(plan, codes), {});
+  const CellGrid grid =
+      EncodeValues(GetParam().name, {patterns, 1}, GrayValues(codes));
   for (int pattern = 1; pattern + 1 < patterns; ++pattern) {
     EXPECT_EQ(grid.at(pattern, 0),
               (Cell{GetParam().glyph(static_cast<unsigned>(pattern)), Gray(255),
@@ -50,7 +49,8 @@ TEST_P(MosaicTest, TakesTheBestOfAllPartitions) {
   for (const char* blend : {"srgb", "linear", "oklab"}) {
     SCOPED_TRACE(blend);
     ExpectBestPartitions(std::string(GetParam().name) + ":blend=" + blend,
-                         *ReadBlend({{"blend", blend}}), GetParam().glyph);
+                         GetParam().samples, *ReadBlend({{"blend", blend}}),
+                         GetParam().glyph);
   }
 }
 

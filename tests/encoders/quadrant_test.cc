@@ -17,14 +17,13 @@ class QuadrantSplitTest : public testing::TestWithParam<const char*> {};
 // Cell p has white where bit p of the pattern is set (bit 0 = top left), black
 // elsewhere. All and none are spaces: no quadrant is above the mean.
 TEST_P(QuadrantSplitTest, DrawsAllSixteenPatterns) {
-  const auto encoder = Make(std::string("quadrant:split=") + GetParam());
   std::vector<std::vector<int>> codes;
   for (int pattern = 0; pattern < 16; ++pattern) {
     std::vector<int>& cell = codes.emplace_back();
     for (int i = 0; i < 4; ++i) cell.push_back((pattern >> i & 1) * 255);
   }
-  const SamplePlan plan = encoder->Plan({16, 1}, 0.5, 0);
-  const CellGrid grid = encoder->Encode(GrayFragments(plan, codes), {});
+  const CellGrid grid = EncodeValues(
+      std::string("quadrant:split=") + GetParam(), {16, 1}, GrayValues(codes));
   EXPECT_EQ(GlyphText(grid), " ▘▝▀▖▌▞▛▗▚▐▜▄▙▟ \n");
   EXPECT_EQ(grid.cells[0], (Cell{U' ', {}, Gray(0)}));
   EXPECT_EQ(grid.cells[15], (Cell{U' ', {}, Gray(255)}));
@@ -145,7 +144,7 @@ class QuadrantBlendTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuadrantBlendTest, BestIsTheBestOfAllSixteen) {
   ExpectBestPartitions(std::string("quadrant:split=best:blend=") + GetParam(),
-                       *ReadBlend({{"blend", GetParam()}}), QuadrantGlyph);
+                       4, *ReadBlend({{"blend", GetParam()}}), QuadrantGlyph);
 }
 
 INSTANTIATE_TEST_SUITE_P(, QuadrantBlendTest,

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/math/random.h"
@@ -11,29 +12,49 @@
 
 namespace rtb {
 
-Fragments GrayFragments(const SamplePlan& plan,
-                        const std::vector<std::vector<int>>& codes) {
-  Fragments fragments(plan);
-  RTB_CHECK_EQ(codes.size(), static_cast<std::size_t>(plan.grid.cells()));
-  for (std::size_t cell = 0; cell < codes.size(); ++cell) {
-    const auto samples = fragments.cell(static_cast<int>(cell));
-    RTB_CHECK_EQ(codes[cell].size(), samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto code = static_cast<std::uint8_t>(codes[cell][i]);
-      samples[i] = Rgb(SrgbDecode8(code));
+namespace {
+
+/// Answers one plan with what it was given.
+class GivenSource : public FragmentSource {
+ public:
+  explicit GivenSource(std::vector<Rgb> values) : values_(std::move(values)) {}
+
+  Result<Fragments> Query(const SamplePlan& plan) override {
+    Fragments fragments(plan);
+    RTB_CHECK_EQ(fragments.values.size(), values_.size());
+    fragments.values.swap(values_);
+    values_.clear();
+    return fragments;
+  }
+
+ private:
+  std::vector<Rgb> values_;
+};
+
+}  // namespace
+
+std::vector<Rgb> GrayValues(const std::vector<std::vector<int>>& codes) {
+  std::vector<Rgb> values;
+  for (const std::vector<int>& cell : codes) {
+    for (const int code : cell) {
+      values.emplace_back(SrgbDecode8(static_cast<std::uint8_t>(code)));
     }
   }
-  return fragments;
+  return values;
+}
+
+CellGrid EncodeValues(const std::string& spec, GridSize grid,
+                      std::vector<Rgb> linear) {
+  GivenSource source(std::move(linear));
+  auto encoding = Make(spec)->Run(source, grid, 0.5, {});
+  if (!encoding) CheckFailed(__FILE__, __LINE__, encoding.error().ToString());
+  return std::move(encoding->grid);
 }
 
 Cell EncodeOne(const std::string& spec, const std::vector<Rgb8>& colors) {
-  const auto encoder = Make(spec);
-  Fragments fragments(encoder->Plan({1, 1}, 0.5, 0));
-  RTB_CHECK_EQ(fragments.values.size(), colors.size());
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    fragments.values[i] = Decode8(colors[i]);
-  }
-  return encoder->Encode(fragments, {}).cells[0];
+  std::vector<Rgb> linear;
+  for (const Rgb8& color : colors) linear.push_back(Decode8(color));
+  return EncodeValues(spec, {1, 1}, std::move(linear)).cells[0];
 }
 
 Cell EncodeOneGray(const std::string& spec, const std::vector<int>& codes) {
@@ -71,17 +92,17 @@ std::unique_ptr<Encoder> Make(const std::string& spec) {
   return std::move(*encoder);
 }
 
-Fragments RandomFragments(const SamplePlan& plan, std::uint64_t seed) {
-  Fragments fragments(plan);
-  for (std::size_t i = 0; i < fragments.values.size(); ++i) {
+std::vector<Rgb> RandomValues(int count, std::uint64_t seed) {
+  std::vector<Rgb> values(static_cast<std::size_t>(count), Rgb(0));
+  for (std::size_t i = 0; i < values.size(); ++i) {
     for (int channel = 0; channel < 3; ++channel) {
       const float unit =
           UnitFloat(RandomBits(static_cast<std::uint32_t>(i), 0,
                                static_cast<std::uint32_t>(channel), seed));
-      fragments.values[i][channel] = 1.4f * unit - 0.2f;
+      values[i][channel] = 1.4f * unit - 0.2f;
     }
   }
-  return fragments;
+  return values;
 }
 
 std::string ReadTestFile(const std::string& path_below_tests) {

@@ -14,9 +14,13 @@
 
 namespace rtb {
 
-/// Fragments for a plan with codes[cell][sample] as gray 8-bit codes.
-Fragments GrayFragments(const SamplePlan& plan,
-                        const std::vector<std::vector<int>>& codes);
+/// Linear colors of the gray 8-bit codes[cell][sample].
+std::vector<Rgb> GrayValues(const std::vector<std::vector<int>>& codes);
+
+/// Encodes samples that are given cell by cell, each cell's in the plan's
+/// order. They must be as many as the encoder asks for, all at once.
+CellGrid EncodeValues(const std::string& spec, GridSize grid,
+                      std::vector<Rgb> linear);
 
 /// A one-cell grid's cell for colors given in the plan's order.
 Cell EncodeOne(const std::string& spec, const std::vector<Rgb8>& colors);
@@ -35,12 +39,12 @@ std::string GlyphText(const CellGrid& grid);
 std::unique_ptr<Encoder> Make(const std::string& spec);
 
 /// Linear colors, some beyond [0, 1], that depend on `seed` alone.
-Fragments RandomFragments(const SamplePlan& plan, std::uint64_t seed);
+std::vector<Rgb> RandomValues(int count, std::uint64_t seed);
 
-/// Encodes 1000 cells of random fragments, and expects each glyph (which
+/// Encodes 1000 cells of random samples, and expects each glyph (which
 /// `glyph` gives for a pattern) to stand for a partition of the least squared
 /// error of all there are, and the colors for its rounded means.
-void ExpectBestPartitions(const std::string& spec, Blend blend,
+void ExpectBestPartitions(const std::string& spec, int samples, Blend blend,
                           char32_t (*glyph)(unsigned));
 
 /// Reads a file that must exist.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "encoders/plan_encoder.h"
 #include "harness/prepared_scene.h"
 #include "harness/run_encoder.h"
 
@@ -73,17 +74,17 @@ void Sleep(int ms) {
 }
 
 /// Plans `samples` a cell and draws nothing.
-class IdleEncoder : public Encoder {
+class IdleEncoder : public PlanEncoder {
  public:
   explicit IdleEncoder(int samples, Delays delays = {})
       : samples_(samples), delays_(delays) {}
   SamplePlan Plan(GridSize grid, double aspect,
                   std::uint64_t /*seed*/) const override {
-    if (grid.cells() > 1) Sleep(delays_.plan);
+    Sleep(delays_.plan);
     return RegularPlan(grid, samples_, 1, aspect);
   }
-  CellGrid Encode(const Fragments& fragments,
-                  const EncodeContext& /*context*/) const override {
+  Result<CellGrid> Encode(const Fragments& fragments,
+                          const EncodeContext& /*context*/) const override {
     Sleep(delays_.encode);
     return CellGrid(fragments.grid);
   }
@@ -129,7 +130,7 @@ TEST(RunEncoder, TimesItsPartsApart) {
   EXPECT_EQ(encode.encoding.grid.size, (GridSize{2, 2}));
 }
 
-TEST(RunEncoder, RefusesAbsurdGridsBeforePlanning) {
+TEST(RunEncoder, RefusesAbsurdGridsBeforeRendering) {
   CountingBackend backend;
   SceneSource source(backend, {}, 0);
   const auto run = RunEncoder(IdleEncoder(17), source, {4096, 4096}, 0.5, {});

@@ -159,30 +159,62 @@ TEST(EmbreeAccelTest, NoSelfIntersectionAtAnyScale) {
   }
 }
 
-TEST(EmbreeAccelTest, TrianglesDoNotShadowThemselves) {
-  for (const float scale : {1e-3f, 1.0f, 1e3f, 1e6f}) {
-    FlatScene flat;
-    flat.objects.resize(1);
-    const V3f a(3, 1, -2), b(-2, 0.5f, 4), c(1, -3, 0.25f);
-    flat.triangles = {TriangleOf(a * scale, b * scale, c * scale, 0)};
-    const Traced traced(flat, {Rgb(0)});
-    int again = 0;
-    for (std::uint32_t i = 0; i < 20000; ++i) {
-      float u = UnitFloat(RandomBits(i, 1, 0, 3));
-      float v = UnitFloat(RandomBits(i, 2, 0, 3));
-      if (u + v > 1) {
-        u = 1 - u;
-        v = 1 - v;
-      }
-      const Hit hit{PrimitiveKind::kTriangle, 0, 1, u, v};
-      const SurfacePoint p = SurfaceAt(traced.accel.geometry(), Ray{}, hit);
-      Ray out;
-      out.direction = RandomDirection(i);
-      out.origin = LeavingOrigin(p, out.direction);
-      if (traced.accel.Transmittance(out) != Rgb(1)) ++again;
+/// A parallelogram as two triangles, as quads are composed.
+FlatScene Parallelogram(const V3d& corner, const V3d& e0, const V3d& e1) {
+  FlatScene flat;
+  flat.objects.resize(1);
+  const V3f a(corner), b(corner + e0), c(corner + e0 + e1), d(corner + e1);
+  flat.triangles = {TriangleOf(a, b, c, 0), TriangleOf(a, c, d, 0)};
+  return flat;
+}
+
+/// How many of the rays that leave a parallelogram meet it again.
+int Reintersections(const FlatScene& flat) {
+  const Traced traced(flat, {Rgb(0)});
+  int again = 0;
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    float u = UnitFloat(RandomBits(i, 1, 0, 3));
+    float v = UnitFloat(RandomBits(i, 2, 0, 3));
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
     }
-    EXPECT_EQ(again, 0) << scale;
+    const Hit hit{PrimitiveKind::kTriangle, static_cast<int>(i % 2), 1, u, v};
+    const SurfacePoint p = SurfaceAt(traced.accel.geometry(), Ray{}, hit);
+    Ray out;
+    // Half of them graze.
+    out.direction = RandomDirection(i);
+    if (i % 4 < 2) {
+      out.direction -= p.normal * (0.999f * out.direction.dot(p.normal));
+      out.direction.normalize();
+    }
+    out.origin = LeavingOrigin(p, out.direction);
+    if (traced.accel.Transmittance(out) != Rgb(1)) ++again;
   }
+  return again;
+}
+
+TEST(EmbreeAccelTest, TrianglesDoNotShadowThemselves) {
+  const V3d corner(3, 1, -2), e0(-5, -0.5, 6), e1(-2, -4, 2.25);
+  for (const double scale : {1e-3, 1.0, 1e3, 1e6}) {
+    EXPECT_EQ(
+        Reintersections(Parallelogram(corner * scale, e0 * scale, e1 * scale)),
+        0)
+        << scale;
+  }
+}
+
+TEST(EmbreeAccelTest, FarLargeAndNarrowTrianglesDoNotShadowThemselves) {
+  const V3d e0(-5, -0.5, 6), e1(-2, -4, 2.25);
+  for (const V3d& corner : {V3d(1000, 0, 0), V3d(-300, 1000, 500)}) {
+    EXPECT_EQ(Reintersections(Parallelogram(corner, e0, e1)), 0);
+  }
+  EXPECT_EQ(
+      Reintersections(Parallelogram(V3d(-4e4, -3e4, -5e4), e0 * 2e4, e1 * 2e4)),
+      0);
+  EXPECT_EQ(Reintersections(
+                Parallelogram(V3d(1, 2, 3), e0 * 100, e0.cross(e1) * 1e-3)),
+            0);
 }
 
 /// A closed mesh: rays from inside, aimed at its edges, must not escape.

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "core/math/random.h"
 
 namespace rtb {
 namespace {
@@ -15,6 +18,15 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 double DecodeByTheFormula(double encoded) {
   if (encoded <= 0.04045) return encoded / 12.92;
   return std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// Clipped, encoded as IEC 61966-2-1 says and rounded half up.
+int CodeByTheFormula(float linear) {
+  if (!(linear > 0)) return 0;
+  const double l = std::fmin(linear, 1.0);
+  const double encoded =
+      l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
+  return static_cast<int>(encoded * 255 + 0.5);
 }
 
 std::uint8_t Code(int i) { return static_cast<std::uint8_t>(i); }
@@ -45,6 +57,31 @@ TEST(Srgb, EncodingRoundsAtTheHalfWayPoints) {
     const double border = DecodeByTheFormula((i + 0.5) / 255);
     EXPECT_EQ(SrgbEncode8(static_cast<float>(border * (1 - 1e-5))), i);
     EXPECT_EQ(SrgbEncode8(static_cast<float>(border * (1 + 1e-5))), i + 1);
+  }
+}
+
+// Every float within 64 of each border between two codes.
+TEST(Srgb, EncodingIsTheFormulaAroundEveryBorder) {
+  for (int i = 0; i < 255; ++i) {
+    const auto border = static_cast<float>(DecodeByTheFormula((i + 0.5) / 255));
+    const auto middle = std::bit_cast<std::uint32_t>(border);
+    for (std::uint32_t bits = middle - 64; bits <= middle + 64; ++bits) {
+      const float linear = std::bit_cast<float>(bits);
+      ASSERT_EQ(SrgbEncode8(linear), CodeByTheFormula(linear)) << linear;
+    }
+  }
+}
+
+// Any bit pattern - negative numbers, denormals, infinities and NaN are among
+// them - and as many from 2^-16 to 1, where codes differ.
+TEST(Srgb, EncodingIsTheFormulaForFloatsOfAnyKind) {
+  for (std::uint32_t i = 0; i < 5'000'000; ++i) {
+    const std::uint32_t bits = RandomBits(i, 0, 0, 0);
+    const float any = std::bit_cast<float>(bits);
+    ASSERT_EQ(SrgbEncode8(any), CodeByTheFormula(any)) << any;
+    const float shown =
+        std::bit_cast<float>(0x37800000u + (bits & 0x07ffffffu));
+    ASSERT_EQ(SrgbEncode8(shown), CodeByTheFormula(shown)) << shown;
   }
 }
 

@@ -44,6 +44,15 @@ TEST(MultiJitteredTest, AnyCountStaysInTheSquareAndStratifiedDownwards) {
   }
 }
 
+TEST(MultiJitteredTest, PermutationsHoldForKeysNearTheEndOfTheirRange) {
+  for (const std::uint32_t key : {0u, 5u, 0xFFFFFFFFu, 0xFFFFFFF0u}) {
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t i = 0; i < 37; ++i) seen.insert(Permute(i, 37, key));
+    EXPECT_EQ(seen.size(), 37u);
+    EXPECT_LT(*seen.rbegin(), 37u);
+  }
+}
+
 TEST(MultiJitteredTest, PatternsDifferAndRepeat) {
   EXPECT_EQ(MultiJittered(3, 16, 9), MultiJittered(3, 16, 9));
   EXPECT_NE(MultiJittered(3, 16, 9), MultiJittered(3, 16, 10));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <variant>
 
 #include "tests/core/render/scenes.h"
 
@@ -132,6 +133,54 @@ TEST(BackendTest, TimeMovesTheScene) {
   EXPECT_EQ(b.Center(options), Rgb(0));
   options.time = 1;
   EXPECT_EQ(b.Center(options), Rgb(1));
+}
+
+TEST(BackendTest, ACameraMayStandInForTheScenes) {
+  SceneBuilder b;
+  b.Add(Sphere{V3d(0, 0, 3), 0.5}, b.Add(Emissive{Rgb(1)}));
+  RenderOptions options;
+  EXPECT_EQ(b.Center(options), Rgb(0));
+  options.camera = CameraAt(b.scene, 0);
+  options.camera->forward = V3d(0, 0, 1);
+  EXPECT_EQ(b.Center(options), Rgb(1));
+}
+
+/// A unit sphere on a floor of the given kind, under a slanting sun.
+Fragments ContactShadow(const std::variant<Plane, Quad, Disk>& floor) {
+  SceneBuilder b;
+  const Index m = b.Add(Lambertian{Rgb(0.7f)});
+  std::visit([&](const auto& shape) { b.Add(shape, m); }, floor);
+  b.Add(Sphere{V3d(0, 1, 0), 1}, m);
+  b.AddLight(DirectionalLight{V3d(-1, -1, -0.5), Rgb(2)});
+  b.Look(V3d(0.5, 1, 5), V3d(0, 0.3, 0));
+  return b.Render(PixelPlan(120, 80));
+}
+
+TEST(BackendTest, LargeFloorsLeakNoLightUnderWhatStandsOnThem) {
+  // The offset of new rays grows with the primitive's extent: on a floor as
+  // large as this it must still be small against the sphere.
+  const Fragments plane = ContactShadow(Plane{V3d(0), V3d(0, 1, 0)});
+  const double r = 1e4;
+  const Fragments quad =
+      ContactShadow(Quad{V3d(-r, 0, -r), {V3d(0, 0, 2 * r), V3d(2 * r, 0, 0)}});
+  const Fragments disk = ContactShadow(Disk{V3d(0), V3d(0, 1, 0), r});
+  for (const Fragments& large : {quad, disk}) {
+    int off = 0;
+    for (std::size_t i = 0; i < plane.values.size(); ++i) {
+      off += (plane.values[i] - large.values[i]).length() > 0.03f;
+    }
+    EXPECT_LE(off, 48);  // 0.5 %: the horizon, and the shadow's edge
+  }
+}
+
+TEST(BackendTest, NothingNegativeLeavesTheRenderer) {
+  SceneBuilder b;
+  b.scene.background.kind = GradientBackground{Rgb(0), Rgb(1)};
+  b.scene.camera.vfov = 1;
+  b.Look(V3d(0), V3d(0, -1, 0));
+  for (const Rgb& v : b.Render(PixelPlan(64, 64)).values) {
+    EXPECT_GE(v.x, 0);
+  }
 }
 
 TEST(BackendTest, NamesThatCannotRunAreErrors) {

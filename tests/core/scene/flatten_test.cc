@@ -139,6 +139,19 @@ TEST(FlattenTest, LeavingSinglePrecisionIsAnErrorThatNamesTheObject) {
   EXPECT_EQ(flat.error().place, "far.yaml:12:5");
 }
 
+TEST(FlattenTest, TooManyTrianglesAreAnErrorNotACrash) {
+  // One mesh of more than the most, all triangles degenerate, so that only
+  // the count is at stake.
+  Scene scene;
+  scene.meshes.resize(1);
+  scene.meshes[0].positions = {V3f(0), V3f(0), V3f(0)};
+  scene.meshes[0].triangles.assign((std::size_t{1} << 26) + 1, {0, 0, 0});
+  scene.objects = {Shape(Mesh{"m.obj", false, 0, 0})};
+  const Result<FlatScene> flat = Flatten(scene, 0);
+  ASSERT_FALSE(flat.has_value());
+  EXPECT_NE(flat.error().what.find("triangles"), std::string::npos);
+}
+
 TEST(FlattenTest, ScaleUnderflowIsAnError) {
   Object inner = Shape(Sphere{});
   inner.scale = V3d(1e-200, 1, 1);

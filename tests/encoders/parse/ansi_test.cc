@@ -66,6 +66,13 @@ TEST(ParseAnsiTest, NewlineReturnsTheCarriage) {
   EXPECT_EQ(GlyphText(Parsed("ab\ncd\r\nef", 3, 3)), "ab \ncd \nef \n");
 }
 
+TEST(ParseAnsiTest, TextForALargerGridIsAnError) {
+  const auto grid = ParseAnsi("a\nb\nc", {3, 2});
+  ASSERT_FALSE(grid.has_value());
+  EXPECT_EQ(grid.error().kind, ErrorKind::kBadInput);
+  EXPECT_FALSE(ParseAnsi("abcdef\nabcdef", {3, 3}).has_value());
+}
+
 // As many lines as rows, each full and ended by LF: nothing scrolls away, even
 // when sequences that draw nothing follow.
 TEST(ParseAnsiTest, LastNewlineDoesNotScroll) {
