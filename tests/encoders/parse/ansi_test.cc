@@ -79,7 +79,6 @@ TEST(ParseAnsiTest, LastNewlineDoesNotScroll) {
   EXPECT_EQ(GlyphText(Parsed("ab\ncd\n", 2, 2)), "ab\ncd\n");
   EXPECT_EQ(GlyphText(Parsed("ab\ncd\x1b[0m\n\x1b[0m\n\x1b[?25h", 2, 2)),
             "ab\ncd\n");
-  EXPECT_EQ(GlyphText(Parsed("ab\ncd\nef\n", 2, 2)), "cd\nef\n");
 }
 
 TEST(ParseAnsiTest, SurvivesBrokenInput) {
