@@ -112,7 +112,8 @@ struct BackgroundWriter {
 }  // namespace
 
 Result<std::string> ExportPov(const Scene& scene, double time) {
-  RTB_ASSIGN_OR_RETURN(const FlatScene flat, Flatten(scene, time));
+  RTB_ASSIGN_OR_RETURN(FlatScene flat, Flatten(scene, time));
+  RTB_RETURN_IF_ERROR(ExpandMeshes(scene, &flat));
   RTB_RETURN_IF_ERROR(CheckExpressible(scene, flat));
   const CameraFrame camera = CameraAt(scene, time);
   const double scale = PovScale(flat, camera.position);

@@ -71,6 +71,10 @@ V3d PathOffset(const Path& path, double time) {
                     PointAt(path, place.first + 2), place.share);
 }
 
+V3d LightOffset(const Scene& scene, const Light& light, double time) {
+  return OffsetOf(scene, light.path, time);
+}
+
 CameraFrame CameraAt(const Scene& scene, double time) {
   const Camera& camera = scene.camera;
   CameraFrame frame;

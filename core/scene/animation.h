@@ -9,6 +9,9 @@ namespace rtb {
 /// The offset that a path adds to its owner's position at `time` seconds.
 V3d PathOffset(const Path& path, double time);
 
+/// How far a light's path has moved it at `time`; zero without one.
+V3d LightOffset(const Scene& scene, const Light& light, double time);
+
 /// An orthonormal pinhole camera at one moment, in world space.
 struct CameraFrame {
   V3d position;
