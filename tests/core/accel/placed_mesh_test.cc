@@ -175,13 +175,13 @@ TEST(PlacedMeshTest, NoSelfIntersectionAtAnyScale) {
 }
 
 TEST(PlacedMeshTest, TransparentUsesLetLightThrough) {
-  Traced traced(
+  const Traced traced(
       Gem(),
-      {Affined{}, PositionRotateScale(V3d(0, 0, -5), V3d(0), V3d(1, 1, 1))}, 1);
+      {Affined{}, PositionRotateScale(V3d(0, 0, -5), V3d(0), V3d(1, 1, 1))}, 1,
+      Rgb(0.5f));
   Ray ray;
   ray.origin = V3f(0.01f, 0.02f, 10);
   // In and out of the first, whose transmittance is 1/2; the second is opaque.
-  ASSERT_TRUE(traced.accel.Update({Rgb(0.5f), Rgb(0)}).has_value());
   EXPECT_EQ(traced.accel.Transmittance(ray), Rgb(0));
   ray.t_max = 12.5f;
   EXPECT_EQ(traced.accel.Transmittance(ray), Rgb(0.25f));
