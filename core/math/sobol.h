@@ -28,7 +28,7 @@ RTB_HD inline std::uint32_t ReverseBits(std::uint32_t v) {
 
 /// A bijection in which every bit depends on the bits below it alone: an Owen
 /// scrambling of the reversed word. The idea is Laine and Karras', "Stratified
-/// Sampling for Stochastic Transparency", 2011, section 3; the constants are
+/// Sampling for Stochastic Transparency", EGSR 2011; the constants are
 /// Vegdahl's, "Building a Better LK Hash", 2021, "The final hash".
 RTB_HD inline std::uint32_t ScrambleReversed(std::uint32_t v,
                                              std::uint32_t seed) {
@@ -53,7 +53,7 @@ RTB_HD inline std::uint32_t SobolReversed(std::uint32_t index, int dimension) {
   return sum;
 }
 
-/// Burley 2020, section 3.1: the order of the points of a pattern, itself
+/// Burley 2020, shuffling: the order of the points of a pattern, itself
 /// Owen-scrambled, so that aligned runs of 2^k stay such runs.
 RTB_HD inline std::uint32_t ShuffledIndex(std::uint32_t index,
                                           std::uint32_t seed) {

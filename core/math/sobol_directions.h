@@ -15,8 +15,8 @@ struct SobolDirections {
 
 /// Direction numbers m_k by Joe and Kuo, "Constructing Sobol Sequences with
 /// Better Two-Dimensional Projections", SIAM J. Sci. Comput. 30, 2008,
-/// equation 2.1, from the primitive polynomials and initial numbers of their
-/// table new-joe-kuo-6, dimensions 2 to 4.
+/// by the recurrence of their section 2 from the primitive polynomials and
+/// initial numbers of their table new-joe-kuo-6, dimensions 2 to 4.
 constexpr SobolDirections MakeSobolDirections() {
   struct Polynomial {
     int degree;

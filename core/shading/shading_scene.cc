@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/scene/animation.h"
+#include "core/shading/light_make.h"
 
 namespace rtb {
 namespace {
@@ -38,25 +39,6 @@ MaterialData Convert(const Material& material) {
   return data;
 }
 
-/// Turns a light into plain data, moved by its path's offset.
-struct LightConverter {
-  V3d offset;
-
-  LightData operator()(const PointLight& light) const {
-    return {LightModel::kPoint, V3f(light.position + offset), V3f(0),
-            light.intensity, light.inverse_square};
-  }
-  LightData operator()(const DirectionalLight& light) const {
-    return {LightModel::kDirectional, V3f(0), V3f(light.direction.normalized()),
-            light.irradiance, false};
-  }
-  template <class Other>
-  LightData operator()(const Other&) const {
-    RTB_CHECK(!"a light that CheckRenderable refuses");
-    return {};
-  }
-};
-
 BackgroundData Convert(const Background& background) {
   if (const auto* c = std::get_if<ConstantBackground>(&background.kind)) {
     return {c->color, c->color};
@@ -80,7 +62,7 @@ ShadingScene MakeShadingScene(const Scene& scene, double time) {
       offset =
           PathOffset(scene.paths[static_cast<std::size_t>(light.path)], time);
     }
-    shading.lights.push_back(std::visit(LightConverter{offset}, light.kind));
+    shading.lights.push_back(ToLightData(light, offset));
   }
   shading.background = Convert(scene.background);
   shading.ambient = scene.settings.ambient;
