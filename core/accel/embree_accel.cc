@@ -12,14 +12,27 @@
 namespace rtb {
 namespace {
 
-PrimitiveKind KindOf(unsigned geometry_id) {
-  switch (geometry_id) {
+/// The hit that Embree reports for a ray in a part.
+Hit ToHit(const EmbreePart& part, const RTCRayHit& query) {
+  const auto primitive = static_cast<std::size_t>(query.hit.primID);
+  const auto make = [&](PrimitiveKind kind, std::size_t first) {
+    return Hit{kind,           static_cast<int>(first + primitive),
+               query.ray.tfar, query.hit.u,
+               query.hit.v,    -1};
+  };
+  if (query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+    Hit hit = make(PrimitiveKind::kMesh, 0);
+    hit.use =
+        static_cast<int>(part.begin.uses + query.hit.instID[0] - kFirstUse);
+    return hit;
+  }
+  switch (query.hit.geomID) {
     case kTriangles:
-      return PrimitiveKind::kTriangle;
+      return make(PrimitiveKind::kTriangle, part.begin.triangles);
     case kSpheres:
-      return PrimitiveKind::kSphere;
+      return make(PrimitiveKind::kSphere, part.begin.spheres);
     default:
-      return PrimitiveKind::kDisk;
+      return make(PrimitiveKind::kDisk, part.begin.disks);
   }
 }
 
@@ -58,40 +71,58 @@ EmbreeAccel::EmbreeAccel(EmbreeAccel&&) noexcept = default;
 EmbreeAccel& EmbreeAccel::operator=(EmbreeAccel&&) noexcept = default;
 EmbreeAccel::~EmbreeAccel() = default;
 
-Result<EmbreeAccel> EmbreeAccel::Build(const Geometry& geometry,
+Result<EmbreeAccel> EmbreeAccel::Build(Geometry& geometry,
                                        std::vector<Rgb> transmittance,
                                        int threads) {
-  RTB_CHECK_EQ(transmittance.size(), geometry.objects.size());
   auto impl = std::make_unique<Impl>();
   // No "threads=N": that would bound every TBB loop of the process.
   impl->device = rtcNewDevice("");
   if (impl->device == nullptr) return Fail(DeviceError(nullptr));
-  impl->scene = rtcNewScene(impl->device);
-  if (impl->scene == nullptr) return Fail(DeviceError(impl->device));
   impl->geometry = &geometry;
-  impl->view = ViewOf(geometry);
-  impl->transmittance = std::move(transmittance);
-  rtcSetSceneFlags(impl->scene, RTC_SCENE_FLAG_ROBUST);
-  if (!AttachGeometry(impl.get())) return Fail(DeviceError(impl->device));
-  RunBounded(threads, [&] { rtcJoinCommitScene(impl->scene); });
-  const RTCError error = rtcGetDeviceError(impl->device);
+  impl->still.impl = impl.get();
+  impl->moving.impl = impl.get();
+  impl->transmittance = transmittance;
+  const GeometryCounts& still = geometry.still;
+  if (!BuildMeshes(impl.get(), 0, still.uses, threads) ||
+      !BuildPart(&impl->still, {}, still, threads)) {
+    return Fail(DeviceError(impl->device));
+  }
+  EmbreeAccel accel(std::move(impl));
+  RTB_RETURN_IF_ERROR(accel.Update(std::move(transmittance), threads));
+  return accel;
+}
+
+Status EmbreeAccel::Update(std::vector<Rgb> transmittance, int threads) {
+  RTB_CHECK_EQ(transmittance.size(), impl_->geometry->objects.size());
+  impl_->transmittance = std::move(transmittance);
+  impl_->view = ViewOf(*impl_->geometry);
+  const GeometryCounts all = impl_->geometry->counts();
+  const GeometryCounts& still = impl_->geometry->still;
+  if (!BuildMeshes(impl_.get(), still.uses, all.uses, threads) ||
+      !BuildPart(&impl_->moving, still, all, threads)) {
+    return Fail(DeviceError(impl_->device));
+  }
+  const RTCError error = rtcGetDeviceError(impl_->device);
   if (error != RTC_ERROR_NONE) return Fail(EmbreeError(error));
-  return EmbreeAccel(std::move(impl));
+  return {};
 }
 
 Hit EmbreeAccel::Closest(const Ray& ray) const {
   Hit hit;
   IntersectPlanes(impl_->view, ray, &hit);
-  RTCRayHit query{};
-  query.ray = ToRtc(ray);
-  if (hit.kind != PrimitiveKind::kNothing) query.ray.tfar = hit.t;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(impl_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  return {KindOf(query.hit.geomID), static_cast<int>(query.hit.primID),
-          query.ray.tfar, query.hit.u, query.hit.v};
+  for (const EmbreePart* part : {&impl_->still, &impl_->moving}) {
+    if (part->empty()) continue;
+    RTCRayHit query{};
+    query.ray = ToRtc(ray);
+    if (hit.kind != PrimitiveKind::kNothing) query.ray.tfar = hit.t;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(part->scene.get(), &context, &query);
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) hit = ToHit(*part, query);
+  }
+  return hit;
 }
 
 Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
@@ -103,9 +134,13 @@ Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
     if (crossed && !impl_->Cross(plane.object, &query)) return Rgb(0);
   }
   rtcInitIntersectContext(&query.context);
-  RTCRay shadow = ToRtc(ray);
-  rtcOccluded1(impl_->scene, &query.context, &shadow);
-  if (shadow.tfar < 0) return Rgb(0);
+  for (const EmbreePart* part : {&impl_->still, &impl_->moving}) {
+    if (part->empty()) continue;
+    query.part = part;
+    RTCRay shadow = ToRtc(ray);
+    rtcOccluded1(part->scene.get(), &query.context, &shadow);
+    if (shadow.tfar < 0) return Rgb(0);
+  }
   return query.crossed ? SteppedTransmittance(ray) : Rgb(1);
 }
 

@@ -13,19 +13,27 @@
 namespace rtb {
 
 /// Answers ray queries on a Geometry. Triangles are traversed in Embree's
-/// robust (watertight at edges) mode, spheres and disks are user geometry
-/// with the analytic intersections of intersect.h, planes are tested apart.
-/// Queries are thread-safe.
+/// robust (watertight at edges) mode, each mesh is built once and placed by
+/// instances, spheres and disks are user geometry with the analytic
+/// intersections of intersect.h, planes are tested apart. What moves is kept
+/// apart from what stands still. Queries are thread-safe.
 class EmbreeAccel {
  public:
-  /// @param geometry must outlive the accelerator.
+  /// @param geometry must outlive the accelerator, and may only be changed by
+  /// ReplaceMoving before a call of Update.
   /// @param transmittance per object: what share of light passes straight
   /// through its surface at one crossing; 0 = opaque.
   /// @param threads at most this many build it; 0 = all cores.
   /// @return an Error when memory does not suffice.
-  static Result<EmbreeAccel> Build(const Geometry& geometry,
+  static Result<EmbreeAccel> Build(Geometry& geometry,
                                    std::vector<Rgb> transmittance,
                                    int threads = 0);
+
+  /// Follows a change of the geometry's moving part: transforms of placed
+  /// meshes and the vertices of other shapes. What stands still and the
+  /// meshes' own structures are not touched.
+  /// @param transmittance of all objects, as for Build.
+  Status Update(std::vector<Rgb> transmittance, int threads = 0);
 
   EmbreeAccel(EmbreeAccel&&) noexcept;
   EmbreeAccel& operator=(EmbreeAccel&&) noexcept;

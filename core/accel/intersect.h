@@ -67,7 +67,7 @@ RTB_HD inline void IntersectPlanes(const GeometryView& geometry, const Ray& ray,
         IntersectPlane(geometry.planes[i], ray.origin, ray.direction);
     if (roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max &&
         roots.t[0] < hit->t) {
-      *hit = {PrimitiveKind::kPlane, i, roots.t[0], 0, 0};
+      *hit = {PrimitiveKind::kPlane, i, roots.t[0], 0, 0, -1};
     }
   }
 }

@@ -17,14 +17,22 @@ struct Ray {
 };
 
 /// The kinds of primitives that an accelerator tells apart.
-enum class PrimitiveKind { kNothing, kTriangle, kSphere, kDisk, kPlane };
+enum class PrimitiveKind {
+  kNothing,
+  kTriangle,
+  kMesh,  ///< A triangle of a placed mesh.
+  kSphere,
+  kDisk,
+  kPlane
+};
 
 /// The closest intersection along a ray, as the accelerator reports it.
 struct Hit {
   PrimitiveKind kind = PrimitiveKind::kNothing;
-  int primitive = -1;  ///< Index among the primitives of its kind.
+  int primitive = -1;  ///< Among those of its kind; of a mesh, its triangle.
   float t = std::numeric_limits<float>::infinity();
   float u = 0, v = 0;  ///< Barycentric coordinates (triangles).
+  int use = -1;        ///< Which placed mesh (kMesh).
 };
 
 /// The surface at a hit, in world space.
@@ -33,6 +41,9 @@ struct SurfacePoint {
   V3f normal{0};    ///< Unit geometric normal, outward / counter-clockwise.
   float scale = 0;  ///< Largest coordinate that entered `position`.
   int object = -1;  ///< Into Geometry's objects.
+  /// Unit normal for shading, interpolated on a smooth mesh; on the side of
+  /// `normal` but for grossly wrong vertex normals.
+  V3f shading_normal{0};
 };
 
 /// An origin for a new ray that starts at `point` and leaves on the side of

@@ -52,8 +52,9 @@ ColorChannels Locate(const std::vector<std::string>& names) {
 
 }  // namespace
 
-PixelDecoder::PixelDecoder(const OIIO::ImageSpec& spec)
-    : coding_(spec.format.is_floating_point() ? Coding::kLinear
+PixelDecoder::PixelDecoder(const OIIO::ImageSpec& spec, Codes codes)
+    : coding_(codes == Codes::kValues || spec.format.is_floating_point()
+                  ? Coding::kLinear
               : spec.format == OIIO::TypeDesc(OIIO::TypeDesc::UINT8)
                   ? Coding::kCodes8
                   : Coding::kEncoded) {

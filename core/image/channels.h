@@ -10,12 +10,15 @@
 
 namespace rtb {
 
+/// What integer codes stand for.
+enum class Codes { kSrgb, kValues };
+
 /// Turns a file's channel values into linear RGB over black.
 class PixelDecoder {
  public:
   /// Looks for R, G and B by name, in any order and in the first layer that
   /// has all three; else for one gray channel; else takes the first three.
-  explicit PixelDecoder(const OIIO::ImageSpec& spec);
+  PixelDecoder(const OIIO::ImageSpec& spec, Codes codes);
 
   /// The channels [begin, end) of the file that Linear() needs.
   int begin() const { return begin_; }

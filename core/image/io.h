@@ -20,6 +20,11 @@ Result<Image> ReadLinear(const std::filesystem::path& file);
 Result<Image> ReadLinearFromMemory(const std::string& bytes,
                                    const std::string& name);
 
+/// Reads the file's values as they are, such as heights: integer codes over
+/// the largest code, without the sRGB decoding, floats unchanged. All else is
+/// as for ReadLinear.
+Result<Image> ReadValues(const std::filesystem::path& file);
+
 /// Component type of an EXR file.
 enum class ExrType { kHalf, kFloat };
 

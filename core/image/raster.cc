@@ -5,8 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "core/image/channels.h"
-
 namespace rtb {
 namespace {
 
@@ -70,8 +68,8 @@ void PlaceRow(const PixelDecoder& decoder, std::span<const float> values,
 /// `shown` is of the file's plane.
 /// @return whether the file was whole.
 bool ReadOnto(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
-              const Window& shown, Image* image) {
-  const PixelDecoder decoder(spec);
+              const Window& shown, Codes codes, Image* image) {
+  const PixelDecoder decoder(spec, codes);
   const auto row_size =
       static_cast<std::size_t>(spec.width) *
       static_cast<std::size_t>(decoder.end() - decoder.begin());
@@ -98,7 +96,8 @@ bool ReadOnto(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
 
 }  // namespace
 
-Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name) {
+Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name,
+                         Codes codes) {
   const OIIO::ImageSpec spec = input.spec();
   if (spec.deep || spec.nchannels < 1) {
     return Fail(BadInput(name, "holds no flat color image"));
@@ -109,7 +108,7 @@ Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name) {
   RTB_RETURN_IF_ERROR(CheckSize(data, name));
   RTB_RETURN_IF_ERROR(CheckSize(shown, name));
   Image image(static_cast<int>(shown.width), static_cast<int>(shown.height));
-  if (!ReadOnto(input, spec, shown, &image)) {
+  if (!ReadOnto(input, spec, shown, codes, &image)) {
     return Fail(BadInput(name, "is damaged: " + input.geterror()));
   }
   return image;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/image/channels.h"
 #include "core/image/image.h"
 
 namespace rtb {
@@ -14,6 +15,7 @@ namespace rtb {
 /// Reads the first image of a file as it is stored (no orientation), linear
 /// and over black. An EXR's data window is placed on its display window.
 /// @param name what Errors call the file.
-Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name);
+Result<Image> ReadRaster(OIIO::ImageInput& input, const std::string& name,
+                         Codes codes);
 
 }  // namespace rtb

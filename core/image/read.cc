@@ -30,7 +30,8 @@ std::string DescriptorPath(const UniqueFd& fd) {
 }
 
 /// @param path where the image is; @param name what Errors call it.
-Result<Image> ReadPath(const std::string& path, const std::string& name) try {
+Result<Image> ReadPath(const std::string& path, const std::string& name,
+                       Codes codes) try {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::open(path, &config);
@@ -39,7 +40,7 @@ Result<Image> ReadPath(const std::string& path, const std::string& name) try {
                                    Reworded(OIIO::geterror(), path, name)));
   }
   input->threads(1);  // no threads but those that a caller asked for
-  auto image = ReadRaster(*input, name);
+  auto image = ReadRaster(*input, name, codes);
   if (!image) {
     image.error().what = Reworded(image.error().what, path, name);
     return image;
@@ -50,14 +51,22 @@ Result<Image> ReadPath(const std::string& path, const std::string& name) try {
   return Fail(Failure(name, std::string("cannot be read: ") + error.what()));
 }
 
-}  // namespace
+/// A file's bytes, wherever they come from.
+Result<Image> ReadBytes(const std::string& bytes, const std::string& name,
+                        Codes codes) {
+  // Not every reader takes memory, but all take a path: a nameless file.
+  const UniqueFd fd(::memfd_create("image", MFD_CLOEXEC));
+  const int code = fd.valid() ? WriteAll(fd.get(), bytes) : errno;
+  if (code) return Fail(Failure(name, "cannot be kept: " + ErrnoText(code)));
+  return ReadPath(DescriptorPath(fd), name, codes);
+}
 
-Result<Image> ReadLinear(const std::filesystem::path& file) {
+Result<Image> ReadImage(const std::filesystem::path& file, Codes codes) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     // A pipe can be read but once, yet readers of several formats take a look.
     RTB_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(file));
-    return ReadLinearFromMemory(bytes, file.string());
+    return ReadBytes(bytes, file.string(), codes);
   }
   const UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (!fd.valid()) {
@@ -65,16 +74,23 @@ Result<Image> ReadLinear(const std::filesystem::path& file) {
   }
   // OpenImageIO takes what follows a question mark for options.
   const bool plain = file.string().find('?') == std::string::npos;
-  return ReadPath(plain ? file.string() : DescriptorPath(fd), file.string());
+  return ReadPath(plain ? file.string() : DescriptorPath(fd), file.string(),
+                  codes);
+}
+
+}  // namespace
+
+Result<Image> ReadLinear(const std::filesystem::path& file) {
+  return ReadImage(file, Codes::kSrgb);
 }
 
 Result<Image> ReadLinearFromMemory(const std::string& bytes,
                                    const std::string& name) {
-  // Not every reader takes memory, but all take a path: a nameless file.
-  const UniqueFd fd(::memfd_create("image", MFD_CLOEXEC));
-  const int code = fd.valid() ? WriteAll(fd.get(), bytes) : errno;
-  if (code) return Fail(Failure(name, "cannot be kept: " + ErrnoText(code)));
-  return ReadPath(DescriptorPath(fd), name);
+  return ReadBytes(bytes, name, Codes::kSrgb);
+}
+
+Result<Image> ReadValues(const std::filesystem::path& file) {
+  return ReadImage(file, Codes::kValues);
 }
 
 }  // namespace rtb

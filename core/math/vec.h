@@ -8,6 +8,7 @@ namespace rtb {
 
 using V2f = Imath::V2f;
 using V3f = Imath::V3f;
+using V4f = Imath::V4f;
 using V2d = Imath::V2d;
 using V3d = Imath::V3d;
 

@@ -14,29 +14,61 @@ namespace {
 
 /// A scene at one time, ready to be traced.
 struct Prepared {
-  double time;
+  double time = 0;
   Geometry geometry;
   ShadingScene shading;
   std::optional<EmbreeAccel> accel;
 };
 
+/// One part of the scene, the lights' shapes included.
+Result<FlatScene> FlattenPart(const Scene& scene, double time, FlatPart part) {
+  RTB_ASSIGN_OR_RETURN(FlatScene flat, Flatten(scene, time, part));
+  RTB_RETURN_IF_ERROR(AddLightShapes(scene, time, part, &flat));
+  return flat;
+}
+
+/// What shadow rays lose at each object's surface.
+std::vector<Rgb> Transmittances(const Prepared& prepared) {
+  const ShadingView shading = ViewOf(prepared.shading);
+  std::vector<Rgb> transmittance;
+  transmittance.reserve(prepared.geometry.objects.size());
+  for (const ObjectData& object : prepared.geometry.objects) {
+    const bool is_light = object.light >= 0;
+    transmittance.push_back(
+        is_light ? Rgb(0)
+                 : ShadowTransmittance(shading.material(object.material)));
+  }
+  return transmittance;
+}
+
 Result<std::unique_ptr<Prepared>> Prepare(const Scene& scene, double time,
                                           int threads) {
-  RTB_ASSIGN_OR_RETURN(const FlatScene flat, Flatten(scene, time));
   auto prepared = std::make_unique<Prepared>();
   prepared->time = time;
-  prepared->geometry = MakeGeometry(flat);
-  prepared->shading = MakeShadingScene(scene, time);
-  const ShadingView shading = ViewOf(prepared->shading);
-  std::vector<Rgb> transmittance;
-  for (const ObjectData& object : prepared->geometry.objects) {
-    transmittance.push_back(
-        ShadowTransmittance(shading.material(object.material)));
-  }
+  RTB_ASSIGN_OR_RETURN(const FlatScene still,
+                       FlattenPart(scene, time, FlatPart::kStill));
+  RTB_ASSIGN_OR_RETURN(const FlatScene moving,
+                       FlattenPart(scene, time, FlatPart::kMoving));
+  prepared->geometry = MakeGeometry(still, scene.meshes);
+  ReplaceMoving(moving, &prepared->geometry);
+  RTB_ASSIGN_OR_RETURN(prepared->shading, MakeShadingScene(scene));
+  PlaceLights(scene, time, prepared->geometry, &prepared->shading);
   RTB_ASSIGN_OR_RETURN(prepared->accel,
                        EmbreeAccel::Build(prepared->geometry,
-                                          std::move(transmittance), threads));
+                                          Transmittances(*prepared), threads));
   return prepared;
+}
+
+/// Takes a prepared scene to another time; only what moves is touched.
+Status Move(const Scene& scene, double time, int threads, Prepared* prepared) {
+  RTB_ASSIGN_OR_RETURN(const FlatScene moving,
+                       FlattenPart(scene, time, FlatPart::kMoving));
+  ReplaceMoving(moving, &prepared->geometry);
+  PlaceLights(scene, time, prepared->geometry, &prepared->shading);
+  RTB_RETURN_IF_ERROR(
+      prepared->accel->Update(Transmittances(*prepared), threads));
+  prepared->time = time;
+  return {};
 }
 
 class EmbreeBackend : public Backend {
@@ -53,10 +85,7 @@ class EmbreeBackend : public Backend {
                            "unknown integrator `" + options.integrator + "`",
                            "whitted"));
     }
-    if (prepared_ == nullptr || prepared_->time != options.time) {
-      RTB_ASSIGN_OR_RETURN(prepared_,
-                           Prepare(scene_, options.time, options.threads));
-    }
+    RTB_RETURN_IF_ERROR(GoTo(options.time, options.threads));
     const int max_depth =
         options.max_depth >= 0 ? options.max_depth : scene_.settings.max_depth;
     RTB_CHECK_LE(max_depth, kMaxDepth);
@@ -68,6 +97,17 @@ class EmbreeBackend : public Backend {
   }
 
  private:
+  Status GoTo(double time, int threads) {
+    if (prepared_ != nullptr && prepared_->time == time) return {};
+    if (prepared_ == nullptr) {
+      RTB_ASSIGN_OR_RETURN(prepared_, Prepare(scene_, time, threads));
+      return {};
+    }
+    const Status moved = Move(scene_, time, threads, prepared_.get());
+    if (!moved) prepared_ = nullptr;  // half moved
+    return moved;
+  }
+
   const Scene& scene_;
   std::unique_ptr<Prepared> prepared_;
   RayCounts counts_;

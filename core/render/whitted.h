@@ -95,6 +95,9 @@ class Whitted {
         return Rgb(0);
       case SurfaceModel::kEmissive:
         return color;
+      case SurfaceModel::kPlastic:  // CheckRenderable refuses these two.
+      case SurfaceModel::kPhong:
+        return Rgb(0);
     }
     return Rgb(0);
   }

@@ -1,46 +1,83 @@
 /// @file
-/// Lights without extent as plain data for host and device.
+/// Sampling the lights of a scene, host and device: what next-event estimation
+/// and multiple importance sampling ask of them.
 #pragma once
 
-#include <cmath>
-#include <limits>
-
 #include "core/base/host_device.h"
-#include "core/math/vec.h"
+#include "core/shading/light_area.h"
+#include "core/shading/light_data.h"
+#include "core/shading/light_point.h"
+#include "core/shading/light_rectangle.h"
+#include "core/shading/light_sphere.h"
 
 namespace rtb {
 
-enum class LightModel { kPoint, kDirectional };
-
-/// A point or directional light.
-struct LightData {
-  LightModel model = LightModel::kPoint;
-  V3f position{0};   ///< Point lights.
-  V3f direction{0};  ///< Directional lights: unit direction of travel.
-  Rgb color{0};      ///< Intensity, or irradiance.
-  bool inverse_square = true;
-};
-
-/// How a light is seen from a point.
-struct LightSample {
-  V3f direction{0};    ///< Unit, towards the light.
-  float distance = 0;  ///< Infinite for directional lights.
-  Rgb irradiance{0};   ///< On a surface that faces the light, unshadowed.
-};
-
-/// The light as seen from `position`; zero irradiance at the light itself.
+/// The light as seen from `position`. Spheres and rectangles are sampled by
+/// solid angle, other quads and triangles by area.
+/// @param u of the unit square; lights without extent ignore it.
 RTB_HD inline LightSample SampleLight(const LightData& light,
-                                      const V3f& position) {
-  if (light.model == LightModel::kDirectional) {
-    return {-light.direction, std::numeric_limits<float>::infinity(),
-            light.color};
+                                      const V3f& position,
+                                      const V2f& u = V2f(0.5f)) {
+  switch (light.model) {
+    case LightModel::kPoint:
+      return SamplePointLight(light, position);
+    case LightModel::kDirectional:
+      return SampleDirectionalLight(light);
+    case LightModel::kSpot:
+      return SampleSpotLight(light, position);
+    case LightModel::kSphere:
+      return SampleSphereLight(light, position, u);
+    case LightModel::kQuad:
+      if (light.rectangle) {
+        const SphericalRectangle seen = SeenFrom(light, position);
+        if (IsWide(seen)) return SampleRectangle(light, seen, u);
+      }
+      [[fallthrough]];
+    case LightModel::kTriangle:
+      return SampleArea(light, position, u);
   }
-  const V3f to_light = light.position - position;
-  const float distance = to_light.length();
-  if (!(distance > 0)) return {};
-  const Rgb irradiance =
-      light.inverse_square ? light.color / distance / distance : light.color;
-  return {to_light / distance, distance, irradiance};
+  return {};
+}
+
+/// The same, but every quad uniformly over its area, so that strata of the
+/// unit square are strata of the light: what Whitted's `samples` ask for.
+RTB_HD inline LightSample SampleLightByArea(const LightData& light,
+                                            const V3f& position, const V2f& u) {
+  return light.model == LightModel::kQuad ? SampleArea(light, position, u)
+                                          : SampleLight(light, position, u);
+}
+
+/// The density per solid angle with which SampleLight chooses a direction that
+/// hits the light, as multiple importance sampling needs it when a BSDF ray
+/// has hit it; 0 for lights without extent and where no light comes from.
+/// @param direction unit, from `position` to the point hit.
+/// @param distance to that point.
+RTB_HD inline float LightPdf(const LightData& light, const V3f& position,
+                             const V3f& direction, float distance) {
+  if (!HasExtent(light)) return 0;
+  if (light.model == LightModel::kSphere) {
+    return SphereLightPdf(light, position);
+  }
+  if (!ShinesAgainst(light, direction)) return 0;
+  if (light.rectangle) {
+    const SphericalRectangle seen = SeenFrom(light, position);
+    if (IsWide(seen)) return 1 / seen.solid_angle;
+  }
+  return AreaPdf(light, direction, distance);
+}
+
+/// The radiance of a light's surface for a ray that has hit it: quads on the
+/// side of their normal, spheres from outside, triangles on both sides; 0 for
+/// lights without extent, which are invisible.
+/// @param direction of the ray, towards the light.
+/// @param normal the surface's there: a quad's edge0 x edge1, a sphere's
+///     outward one.
+RTB_HD inline Rgb EmittedRadiance(const LightData& light, const V3f& direction,
+                                  const V3f& normal) {
+  if (!HasExtent(light)) return Rgb(0);
+  const bool seen =
+      light.model == LightModel::kTriangle || normal.dot(direction) < 0;
+  return seen ? light.color : Rgb(0);
 }
 
 }  // namespace rtb

@@ -15,6 +15,8 @@ enum class SurfaceModel {
   kMirror,
   kMetal,
   kDielectric,
+  kPlastic,
+  kPhong,
   kEmissive
 };
 

@@ -68,23 +68,24 @@ BackgroundData Convert(const Background& background) {
 
 }  // namespace
 
-ShadingScene MakeShadingScene(const Scene& scene, double time) {
+Result<ShadingScene> MakeShadingScene(const Scene& scene) {
   ShadingScene shading;
   for (const Material& m : scene.materials) {
     shading.materials.push_back(Convert(m));
   }
   shading.materials.push_back(MaterialData{});
-  for (const Light& light : scene.lights) {
-    V3d offset(0);
-    if (light.path != kNone) {
-      offset =
-          PathOffset(scene.paths[static_cast<std::size_t>(light.path)], time);
-    }
-    shading.lights.push_back(std::visit(LightConverter{offset}, light.kind));
-  }
   shading.background = Convert(scene.background);
   shading.ambient = scene.settings.ambient;
   return shading;
+}
+
+void PlaceLights(const Scene& scene, double time, const Geometry&,
+                 ShadingScene* shading) {
+  shading->lights.clear();
+  for (const Light& light : scene.lights) {
+    const V3d offset = LightOffset(scene, light, time);
+    shading->lights.push_back(std::visit(LightConverter{offset}, light.kind));
+  }
 }
 
 ShadingView ViewOf(const ShadingScene& scene) {

@@ -5,7 +5,9 @@
 
 #include <vector>
 
+#include "core/accel/geometry.h"
 #include "core/base/host_device.h"
+#include "core/base/result.h"
 #include "core/scene/scene.h"
 #include "core/shading/background.h"
 #include "core/shading/light.h"
@@ -37,8 +39,13 @@ struct ShadingView {
   }
 };
 
-/// Converts a scene that CheckRenderable accepts.
-ShadingScene MakeShadingScene(const Scene& scene, double time);
+/// Converts materials and background; lights come by PlaceLights.
+Result<ShadingScene> MakeShadingScene(const Scene& scene);
+
+/// Puts the lights where they are at `time`.
+/// @param geometry the scene's at that time.
+void PlaceLights(const Scene& scene, double time, const Geometry& geometry,
+                 ShadingScene* shading);
 
 /// A view of a ShadingScene, which must outlive it.
 ShadingView ViewOf(const ShadingScene& scene);
