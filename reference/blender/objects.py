@@ -82,12 +82,13 @@ class Meshes:
         self.maker = materials.Maker(description)
 
     def get(self, item):
-        key = item.get("mesh", "sphere"), item["material"]
+        key = (item.get("mesh", "sphere"), item["material"],
+               item.get("infinite", False))
         if key not in self.with_material:
             self.with_material[key] = self.make(*key)
         return self.with_material[key]
 
-    def make(self, shape, material):
+    def make(self, shape, material, infinite):
         if shape not in self.plain:
             mesh = unit_sphere() if shape == "sphere" else mesh_of(
                 self.description["meshes"][shape], f"mesh{shape}")
@@ -95,7 +96,9 @@ class Meshes:
         else:
             mesh = self.plain[shape].copy()
             mesh.materials.clear()
-        mesh.materials.append(self.maker.get(material, shape == "sphere"))
+        kind = "sphere" if shape == "sphere" else (
+            "infinite" if infinite else "finite")
+        mesh.materials.append(self.maker.get(material, kind))
         return mesh
 
 
