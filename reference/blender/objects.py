@@ -111,12 +111,22 @@ def matrix_of(numbers):
         (0, 0, 0, 1)))
 
 
+def parent_of_all(scene):
+    """Lets objects have any matrix. One that is given an object itself loses
+    its shear, for it is kept as a position, angles and scales."""
+    parent = bpy.data.objects.new("world", None)
+    scene.collection.objects.link(parent)
+    return parent
+
+
 def build(scene, description):
     meshes = Meshes(description)
+    parent = parent_of_all(scene)
     whitted = description["integrator"] == "whitted"
     for number, item in enumerate(description["objects"]):
         placed = bpy.data.objects.new(f"object{number}", meshes.get(item))
-        placed.matrix_world = matrix_of(item["matrix"])
+        placed.parent = parent
+        placed.matrix_parent_inverse = matrix_of(item["matrix"])
         if "sphere" in item:
             placed[materials.CENTER] = item["sphere"][:3]
             placed[materials.RADIUS] = item["sphere"][3]
