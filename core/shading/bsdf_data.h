@@ -11,7 +11,7 @@
 #include "core/base/host_device.h"
 #include "core/math/vec.h"
 #include "core/shading/ggx_energy.h"
-#include "core/shading/material.h"
+#include "core/shading/surface_model.h"
 
 namespace rtb {
 
