@@ -1,8 +1,11 @@
 // White furnaces: what a surface reflects of uniform radiance 1.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 
+#include "core/math/sampling.h"
 #include "tests/core/shading/bsdf_cases.h"
 
 namespace rtb {
@@ -66,6 +69,33 @@ TEST(BsdfEnergyTest, SamplesOfGrazingViewsKeepItToo) {
       }
       EXPECT_NEAR(sum / kCount, 1, 1e-2) << roughness << " " << cosine;
     }
+  }
+}
+
+TEST(BsdfEnergyTest, StratifiedGlossyRaysEstimateTheLobeAlone) {
+  // Plastic's lobe without its base: 8 rays at a time, as Whitted's
+  // integrator takes them, averaged over many patterns.
+  const BsdfData plastic = TestPlastic(Rgb(1), 1.5f, 0.4f);
+  for (const float cosine : {0.2f, 0.9f}) {
+    const V3f wo = DirectionAt(cosine);
+    double sum = 0;
+    double squares = 0;
+    constexpr std::uint32_t kPatterns = 4000;
+    for (std::uint32_t pattern = 0; pattern < kPatterns; ++pattern) {
+      double of_8 = 0;
+      for (std::uint32_t i = 0; i < 8; ++i) {
+        const V2f u = MultiJittered(i, 8, pattern);
+        of_8 += SampleGlossy(plastic, TestEnergy(), wo, u).weight.x / 8;
+      }
+      sum += of_8 / kPatterns;
+      squares += of_8 * of_8 / kPatterns;
+    }
+    const double exact =
+        HemisphereIntegral(plastic, wo, [&](const V3f& wi) {
+          return EvalGlossy(plastic, TestEnergy(), wo, wi) * wi.z;
+        }).x;
+    const double deviation = std::sqrt((squares - sum * sum) / kPatterns);
+    EXPECT_NEAR(sum, exact, 4 * deviation + 1e-5);
   }
 }
 

@@ -196,6 +196,22 @@ TEST_P(BsdfSamplingTest, NothingBelowTheSurface) {
   EXPECT_EQ(SampleBsdf(bsdf, TestEnergy(), down, V3f(0.5f)).weight, Rgb(0));
 }
 
+TEST_P(BsdfSamplingTest, FiniteAtTheEdges) {
+  const BsdfData& bsdf = GetParam().bsdf;
+  constexpr float kLast = 0x1.fffffep-1f;
+  for (const float cosine : {1e-20f, 1e-7f, 0.5f, 1.0f}) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const V3f u(corner & 1 ? kLast : 0, corner & 2 ? kLast : 0,
+                  corner & 4 ? kLast : 0);
+      const BsdfSample s =
+          SampleBsdf(bsdf, TestEnergy(), DirectionAt(cosine), u);
+      EXPECT_TRUE(std::isfinite(s.pdf));
+      EXPECT_TRUE(std::isfinite(s.weight.length()));
+      EXPECT_NEAR(s.wi.length(), 1, 1e-6);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryBsdf, BsdfSamplingTest,
                          testing::ValuesIn(SpreadCases()),
                          [](const auto& param) { return param.param.name; });
