@@ -48,6 +48,11 @@ struct BsdfSample {
 BsdfData MakeBsdf(SurfaceModel model, const Rgb& color, float ior,
                   float roughness, const GgxEnergyView& energy);
 
+RTB_HD inline float MaxComponent(const Rgb& c) {
+  const float xy = c.x > c.y ? c.x : c.y;
+  return xy > c.z ? xy : c.z;
+}
+
 /// The model has a GGX lobe of some width.
 RTB_HD inline bool IsGlossy(const BsdfData& bsdf) {
   return (bsdf.model == SurfaceModel::kMetal ||
