@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "core/base/suggest.h"
-#include "reference/povray.h"
+#include "reference/reference.h"
 
 namespace rtb {
 namespace {
@@ -112,9 +112,9 @@ Result<fs::path> FindScene(const DataFolders& folders,
 }
 
 fs::path ReferenceFile(const fs::path& scene_file, const std::string& renderer,
-                       double time) {
+                       double time, int seed) {
   return ReferencePath(ReferenceFolder(scene_file), scene_file.stem().string(),
-                       renderer, time);
+                       renderer, time, seed);
 }
 
 std::optional<fs::path> FindReference(const fs::path& scene_file,

@@ -43,7 +43,8 @@ Result<std::filesystem::path> FindScene(const DataFolders& folders,
 /// beside the scene's folder `scenes`, else in the current folder's
 /// `reference`, under the name of ReferencePath.
 std::filesystem::path ReferenceFile(const std::filesystem::path& scene_file,
-                                    const std::string& renderer, double time);
+                                    const std::string& renderer, double time,
+                                    int seed = 0);
 
 /// The same where it exists.
 std::optional<std::filesystem::path> FindReference(

@@ -1,10 +1,12 @@
 #include "harness/provenance.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "reference/blender_export.h"
 #include "reference/pov_export.h"
-#include "reference/povray.h"
+#include "reference/reference.h"
 
 namespace rtb {
 namespace {
@@ -20,11 +22,25 @@ std::string Text(const nlohmann::json& value) {
   return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-bool ShowsScene(const nlohmann::json& provenance, const Scene& scene,
-                double time) {
-  // The file's hash does not tell whether a mesh's file has changed.
-  const bool whole = scene.meshes.empty();
+bool NamesImages(const Scene& scene) {
+  if (std::holds_alternative<ImageBackground>(scene.background.kind)) {
+    return true;
+  }
+  return std::any_of(
+      scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+        return m.bump || std::holds_alternative<ImageTexture>(m.texture);
+      });
+}
+
+bool ShowsScene(const nlohmann::json& provenance, const std::string& renderer,
+                const Scene& scene, double time) {
+  // The file's hash does not tell whether a mesh's or an image's has changed.
+  const bool whole = scene.meshes.empty() && !NamesImages(scene);
   if (whole && At(provenance, "/scene/sha256") == scene.sha256) return true;
+  if (renderer == "cycles") {
+    const auto exported = ExportBlender(scene, time);
+    return exported && At(provenance, "/export_sha256") == Sha256(*exported);
+  }
   const auto exported = ExportPov(scene, time);
   return exported && At(provenance, "/sdl_sha256") == Sha256(*exported);
 }
@@ -44,7 +60,7 @@ std::string Misfit(const nlohmann::json& provenance,
   if (!wrong.empty()) return "was rendered by " + wrong;
   wrong = differs("/settings/time", time);
   if (!wrong.empty()) return "shows time " + wrong;
-  if (!ShowsScene(provenance, scene, time)) {
+  if (!ShowsScene(provenance, renderer, scene, time)) {
     return "shows another version of this scene";
   }
   return {};

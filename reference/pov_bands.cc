@@ -1,30 +1,14 @@
 #include "reference/pov_bands.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <charconv>
-#include <chrono>
 #include <cmath>
-#include <system_error>
 
-#include "core/base/file.h"
-#include "core/base/process.h"
-#include "core/image/io.h"
-#include "reference/pov_text.h"
+#include "reference/work_folder.h"
 
 namespace rtb {
 namespace {
 
 constexpr double kRaysPerBand = 2e6;
-
-/// The last lines of what a program said, as one line.
-std::string LastLines(const std::string& text, std::size_t limit = 400) {
-  std::string tail =
-      text.size() > limit ? text.substr(text.size() - limit) : text;
-  std::replace(tail.begin(), tail.end(), '\n', ' ');
-  return tail;
-}
 
 /// The mean of the n x n rays of pixel (x, y).
 Rgb PixelMean(const Image& rays, int x, int y, int n) {
@@ -33,13 +17,6 @@ Rgb PixelMean(const Image& rays, int x, int y, int n) {
     for (int i = 0; i < n; ++i) sum += V3d(rays.at(x * n + i, y * n + j));
   }
   return Rgb(sum / (static_cast<double>(n) * n));
-}
-
-Result<double> ReadSeconds(const std::filesystem::path& file) {
-  RTB_ASSIGN_OR_RETURN(const std::string text, ReadFile(file, 100));
-  double seconds = 0;
-  std::from_chars(text.data(), text.data() + text.size(), seconds);
-  return seconds;
 }
 
 }  // namespace
@@ -100,60 +77,22 @@ std::vector<std::string> BandRenderer::Command(const RowBand& band,
           "-GS"};
 }
 
-Status BandRenderer::Run(const RowBand& band, const std::string& output) const {
-  ProcessOptions options;
-  options.argv = Command(band, output);
-  // POV-Ray's own restrictions let it write only below here and /tmp.
-  options.directory = folder_;
-  RTB_ASSIGN_OR_RETURN(const ProcessResult result, RunProcess(options));
-  if (result.exit_status == 0) return {};
-  return Fail(Failure((folder_ / "scene.pov").string(),
-                      "povray ended with status " +
-                          std::to_string(result.exit_status) + ": ..." +
-                          LastLines(result.err)));
-}
-
 Result<double> BandRenderer::Render(const RowBand& band) const {
-  const auto file = [&](const char* extension) {
-    return folder_ / (NameOf(band) + extension);
-  };
-  std::error_code error;
-  if (std::filesystem::exists(file(".exr"), error)) {
-    return ReadSeconds(file(".seconds"));
-  }
-  // A povray that outlived an interrupted run may still be writing its own.
-  const std::string part =
-      NameOf(band) + "." + std::to_string(::getpid()) + ".part.exr";
-  const auto start = std::chrono::steady_clock::now();
-  RTB_RETURN_IF_ERROR(Run(band, part));
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
-  RTB_RETURN_IF_ERROR(
-      WriteFileAtomically(file(".seconds"), PovNumber(seconds)));
-  std::filesystem::rename(folder_ / part, file(".exr"), error);
-  if (error) {
-    return Fail(Failure((folder_ / part).string(), error.message()));
-  }
-  return seconds;
+  // POV-Ray's own restrictions let it write only below its folder and /tmp.
+  return MakePiece(folder_, NameOf(band), [&](const std::string& output) {
+    return RunRenderer(Command(band, output), folder_,
+                       (folder_ / "scene.pov").string());
+  });
 }
 
 Result<Image> BandRenderer::Averaged(const RowBand& band) const {
-  const auto file = folder_ / (NameOf(band) + ".exr");
-  const Result<Image> rays = ReadLinear(file);
   Image mean(request_.width, band.end - band.begin);
-  if (!rays || rays->width() != mean.width() * side_ ||
-      rays->height() != mean.height() * side_) {
-    std::error_code ignored;  // Else every later run would stumble over it.
-    std::filesystem::remove(file, ignored);
-    return Fail(Failure(file.string(),
-                        rays ? "an image of another size than asked of povray"
-                             : rays.error().what,
-                        "it was removed; run the same again"));
-  }
+  RTB_ASSIGN_OR_RETURN(const Image rays,
+                       ReadPiece(folder_, NameOf(band), mean.width() * side_,
+                                 mean.height() * side_));
   for (int y = 0; y < mean.height(); ++y) {
     for (int x = 0; x < mean.width(); ++x) {
-      mean.at(x, y) = PixelMean(*rays, x, y, side_);
+      mean.at(x, y) = PixelMean(rays, x, y, side_);
     }
   }
   return mean;

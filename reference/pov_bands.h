@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/image/image.h"
-#include "reference/povray.h"
+#include "reference/reference.h"
 
 namespace rtb {
 
@@ -49,7 +49,6 @@ class BandRenderer {
 
  private:
   std::string NameOf(const RowBand& band) const;
-  Status Run(const RowBand& band, const std::string& output) const;
 
   std::filesystem::path folder_;
   ReferenceRequest request_;

@@ -8,10 +8,9 @@
 #include "core/base/file.h"
 #include "core/base/manifest.h"
 #include "core/base/process.h"
-#include "core/image/io.h"
 #include "reference/pov_bands.h"
 #include "reference/pov_export.h"
-#include "reference/pov_text.h"
+#include "reference/work_folder.h"
 
 namespace rtb {
 namespace {
@@ -40,19 +39,6 @@ std::string RequestHash(const std::string& sdl, const std::string& version,
                 std::to_string(request.width) + "x" +
                 std::to_string(request.height) + "\n" +
                 std::to_string(request.spp));
-}
-
-/// Makes the folder ready: emptied of what belongs to another request.
-Status PrepareFolder(const std::filesystem::path& folder,
-                     const std::string& hash, const std::string& sdl) {
-  const auto key = folder / "request.sha256";
-  const auto old = ReadFile(key, 1000);
-  if (old && *old == hash) return {};
-  std::error_code error;
-  std::filesystem::remove_all(folder, error);
-  if (error) return Fail(Failure(folder.string(), error.message()));
-  RTB_RETURN_IF_ERROR(WriteFileAtomically(folder / "scene.pov", sdl));
-  return WriteFileAtomically(key, hash);
 }
 
 void CopyRows(const Image& rows, int first, Image* image) {
@@ -95,13 +81,6 @@ Result<Rendering> RenderBands(const BandRenderer& renderer,
   return rendering;
 }
 
-std::string Joined(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words)
-    line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
 nlohmann::ordered_json Provenance(const Scene& scene,
                                   const ReferenceRequest& request,
                                   const std::string& version,
@@ -120,27 +99,11 @@ nlohmann::ordered_json Provenance(const Scene& scene,
         {"time", request.time},
         {"max_depth", scene.settings.max_depth},
         {"filter", "mean of a regular grid of rays per pixel, linear light"}}},
-      {"command", Joined(rendering.first_command)},
+      {"command", JoinedWords(rendering.first_command)},
       {"bands", rendering.bands},
       {"date", UtcNow()},
       {"wall_seconds", rendering.seconds},
   };
-}
-
-/// Writes the EXR and, beside it, its provenance.
-Status WriteReference(const Image& image, nlohmann::ordered_json provenance,
-                      const std::filesystem::path& output) {
-  RTB_RETURN_IF_ERROR(WriteExr(output, image, ExrType::kHalf));
-  RTB_ASSIGN_OR_RETURN(const std::string hash, Sha256File(output));
-  provenance["image"] = {{"width", image.width()},
-                         {"height", image.height()},
-                         {"type", "half"},
-                         {"sha256", hash}};
-  // A file name or version text that is not UTF-8 must not throw.
-  return WriteFileAtomically(
-      output.string() + ".json",
-      provenance.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-          "\n");
 }
 
 }  // namespace
@@ -151,8 +114,8 @@ Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
   RTB_ASSIGN_OR_RETURN(const std::string version, PovVersion());
   RTB_ASSIGN_OR_RETURN(const std::string sdl, ExportPov(scene, request.time));
   const std::filesystem::path folder = request.output.string() + ".work";
-  RTB_RETURN_IF_ERROR(
-      PrepareFolder(folder, RequestHash(sdl, version, request), sdl));
+  RTB_RETURN_IF_ERROR(PrepareWorkFolder(
+      folder, RequestHash(sdl, version, request), {{"scene.pov", sdl}}));
   const BandRenderer renderer(folder, request, side);
   RTB_ASSIGN_OR_RETURN(const Rendering rendering,
                        RenderBands(renderer, request, progress));
@@ -162,13 +125,6 @@ Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
   std::error_code ignored;  // A left-over folder does no harm.
   std::filesystem::remove_all(folder, ignored);
   return {};
-}
-
-std::filesystem::path ReferencePath(const std::filesystem::path& folder,
-                                    const std::string& scene_name,
-                                    const std::string& renderer, double time) {
-  const std::string moment = time == 0 ? "" : ".t" + PovNumber(time);
-  return folder / (scene_name + moment + "." + renderer + ".exr");
 }
 
 }  // namespace rtb
