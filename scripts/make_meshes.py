@@ -91,7 +91,7 @@ def star():
     for axis in range(3):
         for sign in (-1, 1):
             tip = [0.0, 0.0, 0.0]
-            tip[axis] = sign * 2.4
+            tip[axis] = sign * 4.0
             corners = [i for i, p in enumerate(points[:8]) if p[axis] == sign]
             corners = [corners[i] for i in (0, 1, 3, 2)]
             points.append(tip)
