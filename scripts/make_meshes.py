@@ -38,9 +38,9 @@ def vertex_normals(points, triangles):
     return [unit(total) for total in sums]
 
 
-def obj(title, points, triangles):
+def obj(title, points, triangles, maker="make_meshes.py"):
     """The text of an OBJ file with one smooth normal at each vertex."""
-    lines = [f"# {title}. Made by scripts/make_meshes.py."]
+    lines = [f"# {title}. Made by scripts/{maker}."]
     lines += ["v " + " ".join(f"{x:.5f}" for x in p) for p in points]
     lines += ["vn " + " ".join(f"{x:.5f}" for x in n)
               for n in vertex_normals(points, triangles)]
@@ -67,7 +67,7 @@ def tube(curve, rings, sides, radius):
         for j in range(sides):
             a, b = i * sides + j, i * sides + (j + 1) % sides
             c, d = ((k + sides) % (rings * sides) for k in (b, a))
-            triangles += [[a, b, c], [a, c, d]]
+            triangles += [[a, c, b], [a, d, c]]
     return points, triangles
 
 
