@@ -240,14 +240,14 @@ class Town:
                 (20, 3.4, 0), (-22, -3.4, 180), (-30, -3.4, 180),
                 (32, 3.4, 0), (3.5, -56, 90), (-3.4, -50, -90),
                 (-3.4, 22, -90))):
-            self.use("car", [x, 0, z], turn, material=paints[i % 4])
+            self.use("car", [x, -0.06 if abs(x) > CURB else 0, z], turn, material=paints[i % 4])
         coats = ["red", "blue", "yellow", "violet", "white"]
         places = [(-5.4, -6.2), (-6.2, -10.8), (-4.6, -5.6), (-8, -6.6),
                   (0.9, 5.9), (-1.4, 6.4), (5.2, -6), (5.7, -11.6)]
         places += [((-1, 1)[i % 2] * (5.8 + 0.8 * self.rng.random()),
                     -16 - 3.0 * i) for i in range(14)]
         for i, (x, z) in enumerate(places):
-            self.use("person", [x, 0.12 if abs(x) > CURB else 0, z],
+            self.use("person", [x, 0.12 if abs(x) > CURB else -0.04, z],
                      360 * self.rng.random(), material=coats[i % 5],
                      scale=0.92 + 0.14 * self.rng.random())
 
