@@ -129,7 +129,8 @@ def hull(length, width, bottom, top, ends, stations=30, sides=24):
                        middle + half * power(math.sin(a), 0.5),
                        0.5 * width * (0.7 + 0.3 * full)
                        * power(math.cos(a), 0.5)]
-                      for a in (-2 * math.pi * j / sides for j in range(sides))])
+                      for a in (-2 * math.pi * j / sides
+                                for j in range(sides))])
     return skin(rings)
 
 

@@ -11,33 +11,36 @@ def fields(**values):
 
 
 def text(value):
-    if isinstance(value, bool):
-        return str(value).lower()
+    """A value as YAML writes it."""
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(text(x) for x in value) + "]"
     if isinstance(value, float):
+        # Adding zero turns -0 to 0.
         return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
     return str(value)
 
 
+def shape(kind, coordinates, material, more):
+    named = {"material": material} if material else {}
+    return fields(type=kind, **coordinates, **named, **more)
+
+
 def box(low, high, material=None, **more):
-    more = {"material": material, **more} if material else more
-    return fields(type="box", min=low, max=high, **more)
+    return shape("box", {"min": low, "max": high}, material, more)
 
 
 def quad(corner, right, up, material=None, **more):
-    more = {"material": material, **more} if material else more
-    return fields(type="quad", corner=corner, edges=[right, up], **more)
+    return shape("quad", {"corner": corner, "edges": [right, up]}, material,
+                 more)
 
 
 def sphere(center, radius, material=None, **more):
-    more = {"material": material, **more} if material else more
-    return fields(type="sphere", center=center, radius=radius, **more)
+    return shape("sphere", {"center": center, "radius": radius}, material,
+                 more)
 
 
 def mesh(name, material=None, **more):
-    more = {"material": material, **more} if material else more
-    return fields(type="mesh", file=f"explore/{name}.obj", **more)
+    return shape("mesh", {"file": f"explore/{name}.obj"}, material, more)
 
 
 def wall():
@@ -59,8 +62,9 @@ def window(pane):
 
 
 def shutters(pane):
-    return window(pane) + [box([-1.32, 0.86, 0], [-0.74, 2.74, 0.07], "shutter"),
-                           box([0.74, 0.86, 0], [1.32, 2.74, 0.07], "shutter")]
+    return window(pane) + [
+        box([-1.32, 0.86, 0], [-0.74, 2.74, 0.07], "shutter"),
+        box([0.74, 0.86, 0], [1.32, 2.74, 0.07], "shutter")]
 
 
 def balcony(pane):
@@ -132,7 +136,8 @@ def person():
 def planter():
     return [box([-0.9, 0, -0.4], [0.9, 0.5, 0.4], "wood"),
             mesh("bush", "crown_b", position=[-0.42, 0.25, 0]),
-            mesh("bush", "crown_a", position=[0.42, 0.22, 0], rotate=[0, 70, 0])]
+            mesh("bush", "crown_a", position=[0.42, 0.22, 0],
+                 rotate=[0, 70, 0])]
 
 
 def shelter():

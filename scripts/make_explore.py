@@ -240,7 +240,8 @@ class Town:
                 (20, 3.4, 0), (-22, -3.4, 180), (-30, -3.4, 180),
                 (32, 3.4, 0), (3.5, -56, 90), (-3.4, -50, -90),
                 (-3.4, 22, -90))):
-            self.use("car", [x, -0.06 if abs(x) > CURB else 0, z], turn, material=paints[i % 4])
+            self.use("car", [x, -0.06 if abs(x) > CURB else 0, z], turn,
+                     material=paints[i % 4])
         coats = ["red", "blue", "yellow", "violet", "white"]
         places = [(-5.4, -6.2), (-6.2, -10.8), (-4.6, -5.6), (-8, -6.6),
                   (0.9, 5.9), (-1.4, 6.4), (5.2, -6), (5.7, -11.6)]

@@ -83,7 +83,8 @@ TEXTURES = {
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--out", type=Path, default=ROOT / "scenes" / "textures")
+    parser.add_argument("--out", type=Path,
+                        default=ROOT / "scenes" / "textures")
     folder = parser.parse_args().out
     folder.mkdir(parents=True, exist_ok=True)
     for name, color in TEXTURES.items():
