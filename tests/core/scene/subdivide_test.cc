@@ -171,6 +171,20 @@ TEST(SubdivideTest, BoundariesBecomeCubicSplines) {
   EXPECT_EQ(Distance(Subdivided(Fan(5), 2), V3f(1, 0, 0)), 0);
 }
 
+TEST(SubdivideTest, BoundaryVerticesOfOneTriangleStay) {
+  // A hexagon cut from its vertex at (1, 0): the two beside that have one
+  // triangle each, all others more.
+  TriangleMesh hexagon = Fan(6);
+  hexagon.triangles = {{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 6}};
+  const TriangleMesh mesh = Subdivided(hexagon, 2);
+  for (const int i : {2, 6}) {
+    EXPECT_EQ(Distance(mesh, PositionOf(hexagon, i)), 0);
+  }
+  for (const int i : {1, 3, 4, 5}) {
+    EXPECT_GT(Distance(mesh, PositionOf(hexagon, i)), 0.05);
+  }
+}
+
 TEST(SubdivideTest, SeamsStaySeams) {
   // A square cut along the diagonal 0-2 into two charts, u < 5 and u > 5.
   const TriangleMesh mesh =
