@@ -24,7 +24,7 @@ HEAD = """\
 # this file and all that it names; change that, not this.
 rtbench_scene: 1
 name: explore
-description: A street corner in the evening, of millions of triangles
+description: A street corner in the evening, of 1.6 million triangles
 
 camera:
   position: [3.3, 1.7, 11.6]
