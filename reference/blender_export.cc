@@ -95,7 +95,7 @@ Result<std::string> ExportBlender(const Scene& scene, double time,
   json["images"] = images.Take();
   json["lamps"] = LampsJson(scene, time);
   json.update(BlenderObjects(scene, flat, camera.position));
-  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
          "\n";
 }
 

@@ -1,6 +1,7 @@
 #include "reference/cycles_passes.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "core/base/check.h"
 #include "reference/cycles.h"
@@ -11,6 +12,8 @@ namespace {
 
 /// Passes that one seed of ours may have.
 constexpr int kPassesPerSeed = 1024;
+
+constexpr char kScript[] = "render.py";
 
 }  // namespace
 
@@ -36,7 +39,7 @@ std::vector<std::string> PassRenderer::Command(const CyclesPass& pass,
   for (const std::string& word :
        {std::string("blender"), std::string("-b"), std::string("-noaudio"),
         std::string("--factory-startup"), std::string("--python-exit-code"),
-        std::string("1"), std::string("--python"), std::string("render.py"),
+        std::string("1"), std::string("--python"), std::string(kScript),
         std::string("--"), std::string("scene.json"), "--output=" + output,
         "--width=" + std::to_string(request_.width),
         "--height=" + std::to_string(request_.height),
@@ -49,10 +52,16 @@ std::vector<std::string> PassRenderer::Command(const CyclesPass& pass,
 }
 
 Result<double> PassRenderer::Render(const CyclesPass& pass) const {
-  return MakePiece(folder_, NameOf(pass), [&](const std::string& output) {
-    return RunRenderer(Command(pass, output), folder_,
-                       (folder_ / "scene.json").string());
-  });
+  return MakePiece(
+      folder_, NameOf(pass), [&](const std::string& output) -> Status {
+        std::vector<std::string> argv = Command(pass, output);
+        // Blender looks for relative files where $PWD says, which is not here.
+        std::error_code error;
+        const auto script = std::filesystem::absolute(folder_, error) / kScript;
+        std::replace(argv.begin(), argv.end(), std::string(kScript),
+                     script.string());
+        return RunRenderer(argv, folder_, (folder_ / "scene.json").string());
+      });
 }
 
 Result<Image> PassRenderer::Read(const CyclesPass& pass) const {

@@ -96,7 +96,7 @@ Status RunRenderer(const std::vector<std::string>& argv,
   if (result.exit_status == 0) return {};
   return Fail(Failure(place, argv.front() + " ended with status " +
                                  std::to_string(result.exit_status) + ": ..." +
-                                 LastLines(result.err)));
+                                 LastLines(result.out + result.err)));
 }
 
 std::string JoinedWords(const std::vector<std::string>& words) {
