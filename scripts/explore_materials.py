@@ -26,12 +26,12 @@ MATERIALS = [
     "{id: chrome, type: metal, albedo: [0.85, 0.86, 0.88], roughness: 0}",
     "{id: brass, type: metal, albedo: [0.9, 0.7, 0.35], roughness: 0.3}",
     "{id: glass, type: dielectric, ior: 1.5, tint: [0.93, 0.97, 0.95]}",
-    "{id: pane, type: plastic, albedo: [0.03, 0.04, 0.06], ior: 1.8}",
-    "{id: car_glass, type: plastic, albedo: [0.02, 0.02, 0.03], ior: 1.7}",
-    "{id: red_paint, type: plastic, albedo: [0.65, 0.03, 0.03], ior: 1.5}",
-    "{id: blue_paint, type: plastic, albedo: [0.04, 0.14, 0.5], ior: 1.5}",
-    "{id: white_paint, type: plastic, albedo: [0.8, 0.8, 0.78], ior: 1.5}",
-    "{id: yellow_paint, type: plastic, albedo: [0.85, 0.6, 0.04], ior: 1.5}",
+    "{id: pane, type: metal, albedo: [0.07, 0.08, 0.1], roughness: 0}",
+    "{id: car_glass, type: metal, albedo: [0.06, 0.06, 0.07], roughness: 0}",
+    "{id: red_paint, type: lambertian, albedo: [0.65, 0.03, 0.03]}",
+    "{id: blue_paint, type: lambertian, albedo: [0.04, 0.14, 0.5]}",
+    "{id: white_paint, type: lambertian, albedo: [0.8, 0.8, 0.78]}",
+    "{id: yellow_paint, type: lambertian, albedo: [0.85, 0.6, 0.04]}",
 ]
 DIFFUSE = {
     "trim": (0.75, 0.73, 0.68), "stone": (0.62, 0.58, 0.5),

@@ -99,6 +99,7 @@ GgxEnergy MakeGgxEnergy() {
 }
 
 GgxEnergyView ViewOf(const GgxEnergy& energy) {
+  if (energy.root_loss.empty()) return {};
   RTB_CHECK_EQ(energy.root_loss.size(),
                std::size_t{kGgxRoughnesses * kGgxCosines});
   return {energy.root_loss.data()};

@@ -35,7 +35,7 @@ struct GgxEnergyView {
 /// cores, the same whatever their number.
 GgxEnergy MakeGgxEnergy();
 
-/// A view of a GgxEnergy, which must outlive it.
+/// A view of a GgxEnergy, which must outlive it; a null one of an empty one.
 GgxEnergyView ViewOf(const GgxEnergy& energy);
 
 /// 1 - E by float64 quadrature, for any alpha > 0 and cosine in 0..1: what
