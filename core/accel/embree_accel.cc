@@ -125,22 +125,33 @@ Hit EmbreeAccel::Closest(const Ray& ray) const {
   return hit;
 }
 
-Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
-  EmbreeQuery query;
+bool EmbreeAccel::Blocked(const Ray& ray, EmbreeQuery* query) const {
   for (const PlaneData& plane : impl_->geometry->planes) {
     const Roots roots = IntersectPlane(plane, ray.origin, ray.direction);
     const bool crossed =
         roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max;
-    if (crossed && !impl_->Cross(plane.object, &query)) return Rgb(0);
+    if (crossed && !impl_->Cross(plane.object, query)) return true;
   }
-  rtcInitIntersectContext(&query.context);
+  rtcInitIntersectContext(&query->context);
   for (const EmbreePart* part : {&impl_->still, &impl_->moving}) {
     if (part->empty()) continue;
-    query.part = part;
+    query->part = part;
     RTCRay shadow = ToRtc(ray);
-    rtcOccluded1(part->scene.get(), &query.context, &shadow);
-    if (shadow.tfar < 0) return Rgb(0);
+    rtcOccluded1(part->scene.get(), &query->context, &shadow);
+    if (shadow.tfar < 0) return true;
   }
+  return false;
+}
+
+bool EmbreeAccel::Occluded(const Ray& ray) const {
+  EmbreeQuery query;
+  query.opaque = true;
+  return ray.t_max > 0 && Blocked(ray, &query);
+}
+
+Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
+  EmbreeQuery query;
+  if (ray.t_max > 0 && Blocked(ray, &query)) return Rgb(0);
   return query.crossed ? SteppedTransmittance(ray) : Rgb(1);
 }
 

@@ -12,6 +12,8 @@
 
 namespace rtb {
 
+struct EmbreeQuery;
+
 /// Answers ray queries on a Geometry. Triangles are traversed in Embree's
 /// robust (watertight at edges) mode, each mesh is built once and placed by
 /// instances, spheres and disks are user geometry with the analytic
@@ -46,6 +48,9 @@ class EmbreeAccel {
   /// transmittances of all surfaces crossed, 0 when an opaque one is.
   Rgb Transmittance(const Ray& ray) const;
 
+  /// Whether anything, transparent or not, lies on (0, ray.t_max).
+  bool Occluded(const Ray& ray) const;
+
   /// The geometry it was built from.
   const GeometryView& geometry() const;
 
@@ -56,6 +61,9 @@ class EmbreeAccel {
   /// The transmittance from surface to surface, each crossed once: an any-hit
   /// query would count both triangles where a ray meets their common edge.
   Rgb SteppedTransmittance(Ray ray) const;
+
+  /// Whether something opaque lies on the ray; notes what else does.
+  bool Blocked(const Ray& ray, EmbreeQuery* query) const;
 
   explicit EmbreeAccel(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;

@@ -55,6 +55,7 @@ struct EmbreePart {
 struct EmbreeQuery {
   RTCIntersectContext context;  // first, so that callbacks can cast
   const EmbreePart* part = nullptr;
+  bool opaque = false;   ///< Nothing counts as transparent.
   bool crossed = false;  ///< It met something transparent.
 };
 
@@ -81,6 +82,7 @@ struct EmbreeAccel::Impl {
   /// Notes that a shadow ray meets an object.
   /// @return whether any of its light gets through.
   bool Cross(int object, EmbreeQuery* query) const {
+    if (query->opaque) return false;
     if (transmittance[static_cast<std::size_t>(object)] == Rgb(0)) return false;
     query->crossed = true;
     return true;

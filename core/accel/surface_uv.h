@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/accel/surface.h"
+#include "core/math/constants.h"
 #include "core/math/frame.h"
 
 namespace rtb {
@@ -56,7 +57,6 @@ RTB_HD inline SurfaceUv MeshUv(const GeometryView& g, const Hit& hit,
 
 /// u = 0.5 + atan2(-z, x) / 2 pi, v = 0.5 + asin(y) / pi on the unit sphere.
 RTB_HD inline SurfaceUv SphereUv(const Quadric& sphere, const V3f& position) {
-  constexpr float kPi = 3.14159265358979324f;
   const V3f p = sphere.to_unit.Direction(position - sphere.center).normalized();
   const float around = std::sqrt(p.x * p.x + p.z * p.z);
   const float c = std::max(around, 1e-6f);

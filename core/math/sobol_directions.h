@@ -13,10 +13,10 @@ struct SobolDirections {
   std::uint32_t reversed[3][32] = {};
 };
 
-/// Direction numbers m_k by Joe and Kuo, "Constructing Sobol Sequences with
-/// Better Two-Dimensional Projections", SIAM J. Sci. Comput. 30, 2008,
-/// by the recurrence of their section 2 from the primitive polynomials and
-/// initial numbers of their table new-joe-kuo-6, dimensions 2 to 4.
+/// Direction numbers m_k by the recurrence of Joe and Kuo, "Constructing Sobol
+/// Sequences with Better Two-Dimensional Projections", SIAM J. Sci. Comput. 30,
+/// 2008, from the primitive polynomials and initial numbers of their table
+/// new-joe-kuo-6, dimensions 2 to 4.
 constexpr SobolDirections MakeSobolDirections() {
   struct Polynomial {
     int degree;

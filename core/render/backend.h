@@ -62,7 +62,7 @@ std::span<const BackendInfo> Backends();
 /// A backend of that name for `scene`, which must outlive it. The scene is
 /// composed and its accelerator built by the first Render at each time.
 /// @return kBadInput for an unknown name, kMissing for one that is not
-/// available, and the errors of CheckRenderable.
+/// available.
 Result<std::unique_ptr<Backend>> MakeBackend(const std::string& name,
                                              const Scene& scene);
 

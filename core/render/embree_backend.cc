@@ -5,7 +5,7 @@
 
 #include "core/accel/embree_accel.h"
 #include "core/base/check.h"
-#include "core/render/plan_renderer.h"
+#include "core/render/integrators.h"
 #include "core/scene/flat_scene.h"
 #include "core/scene/load.h"
 
@@ -80,20 +80,10 @@ class EmbreeBackend : public Backend {
 
   Result<Fragments> Render(const SamplePlan& plan,
                            const RenderOptions& options) override {
-    if (options.integrator != "whitted") {
-      return Fail(BadInput("--integrator",
-                           "unknown integrator `" + options.integrator + "`",
-                           "whitted"));
-    }
+    RTB_RETURN_IF_ERROR(CheckIntegrator(scene_, options));
     RTB_RETURN_IF_ERROR(GoTo(options.time, options.threads));
-    const int max_depth =
-        options.max_depth >= 0 ? options.max_depth : scene_.settings.max_depth;
-    RTB_CHECK_LE(max_depth, kMaxDepth);
-    const CameraFrame camera =
-        options.camera ? *options.camera : CameraAt(scene_, options.time);
-    const PlanRenderer renderer(*prepared_->accel, ViewOf(prepared_->shading),
-                                camera, plan, options, max_depth);
-    return renderer.Render(&counts_);
+    return RenderPlan(*prepared_->accel, ViewOf(prepared_->shading), scene_,
+                      plan, options, &counts_);
   }
 
  private:
@@ -116,7 +106,6 @@ class EmbreeBackend : public Backend {
 }  // namespace
 
 Result<std::unique_ptr<Backend>> MakeEmbreeBackend(const Scene& scene) {
-  RTB_RETURN_IF_ERROR(CheckRenderable(scene));
   return std::make_unique<EmbreeBackend>(scene);
 }
 

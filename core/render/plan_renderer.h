@@ -13,8 +13,7 @@
 #include "core/math/sampling.h"
 #include "core/render/backend.h"
 #include "core/render/camera_rays.h"
-#include "core/render/whitted.h"
-#include "core/shading/shading_scene.h"
+#include "core/render/eye_sample.h"
 
 namespace rtb {
 
@@ -26,28 +25,25 @@ inline float Sanitized(double value) {
 }
 
 /// Renders the samples of one plan.
-/// @tparam Tracer see Whitted.
-template <class Tracer>
 class PlanRenderer {
  public:
   /// All references must outlive the renderer.
-  PlanRenderer(const Tracer& tracer, const ShadingView& shading,
-               const CameraFrame& camera, const SamplePlan& plan,
-               const RenderOptions& options, int max_depth)
-      : tracer_(tracer),
-        shading_(shading),
-        camera_(MakeCameraRays(camera, plan.aspect())),
+  PlanRenderer(const CameraFrame& camera, const SamplePlan& plan,
+               const RenderOptions& options)
+      : camera_(MakeCameraRays(camera, plan.aspect())),
         plan_(plan),
-        options_(options),
-        max_depth_(max_depth) {}
+        options_(options) {}
 
   /// All fragments; `counts` receives the rays traced.
-  Fragments Render(RayCounts* counts) const {
+  /// @param prototype answers Radiance(eye, counts); each task uses a copy.
+  template <class Integrator>
+  Fragments Render(const Integrator& prototype, RayCounts* counts) const {
     Fragments fragments(plan_);
     std::atomic<std::uint64_t> camera{0}, shadow{0}, secondary{0};
     ParallelFor(plan_.grid.cells(), kCellsPerTask, options_.threads,
                 [&](int begin, int end) {
-                  const RayCounts own = RenderCells(begin, end, &fragments);
+                  const RayCounts own =
+                      RenderCells(prototype, begin, end, &fragments);
                   camera += own.camera;
                   shadow += own.shadow;
                   secondary += own.secondary;
@@ -60,15 +56,16 @@ class PlanRenderer {
   /// Cells that one task renders; results do not depend on it.
   static constexpr int kCellsPerTask = 64;
 
-  RayCounts RenderCells(int begin, int end, Fragments* fragments) const {
+  template <class Integrator>
+  RayCounts RenderCells(Integrator integrator, int begin, int end,
+                        Fragments* fragments) const {
     RayCounts counts;
-    Whitted<Tracer> integrator(tracer_, shading_, max_depth_);
     for (int cell = begin; cell < end; ++cell) {
       const std::span<Rgb> out = fragments->cell(cell);
       for (int s = 0; s < plan_.samples_per_cell; ++s) {
         V3d sum(0);
         for (int ray = 0; ray < options_.spp; ++ray) {
-          sum += V3d(integrator.Radiance(CameraRay(cell, s, ray), &counts));
+          sum += V3d(integrator.Radiance(EyeSampleAt(cell, s, ray), &counts));
         }
         sum /= options_.spp;
         out[static_cast<std::size_t>(s)] =
@@ -78,34 +75,34 @@ class PlanRenderer {
     return counts;
   }
 
-  Ray CameraRay(int cell, int sample, int ray) const {
-    const V2f jitter = Jitter(cell, sample, ray);
+  EyeSample EyeSampleAt(int cell, int sample, int ray) const {
+    EyeSample eye;
+    eye.pattern =
+        RandomBits(static_cast<std::uint32_t>(cell),
+                   static_cast<std::uint32_t>(sample), 0, options_.seed);
+    eye.index = static_cast<std::uint32_t>(ray);
+    eye.seed = options_.seed;
+    const V2f jitter = Jitter(eye);
     const V2f& position = plan_.position(cell, sample);
     const GridSize& grid = plan_.grid;
     const double x = cell % grid.columns + double{position.x} + jitter.x;
     const double y = cell / grid.columns + double{position.y} + jitter.y;
-    return EyeRay(camera_, x / grid.columns, y / grid.rows);
+    eye.ray = EyeRay(camera_, x / grid.columns, y / grid.rows);
+    return eye;
   }
 
   /// Offset from the sample's position, in cells: none for one ray, else
   /// stratified over the footprint.
-  V2f Jitter(int cell, int sample, int ray) const {
+  V2f Jitter(const EyeSample& eye) const {
     if (options_.spp == 1) return V2f(0, 0);
-    const std::uint32_t pattern =
-        RandomBits(static_cast<std::uint32_t>(cell),
-                   static_cast<std::uint32_t>(sample), 0, options_.seed);
-    const V2f unit =
-        MultiJittered(static_cast<std::uint32_t>(ray),
-                      static_cast<std::uint32_t>(options_.spp), pattern);
+    const V2f unit = MultiJittered(
+        eye.index, static_cast<std::uint32_t>(options_.spp), eye.pattern);
     return (unit - V2f(0.5f, 0.5f)) * plan_.footprint;
   }
 
-  const Tracer& tracer_;
-  const ShadingView shading_;
   const CameraRays camera_;
   const SamplePlan& plan_;
   const RenderOptions& options_;
-  const int max_depth_;
 };
 
 }  // namespace rtb

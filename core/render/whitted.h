@@ -2,11 +2,16 @@
 /// The Whitted integrator, host and device.
 #pragma once
 
-#include "core/accel/surface.h"
+#include <algorithm>
+
 #include "core/base/host_device.h"
+#include "core/render/eye_sample.h"
 #include "core/render/ray_counts.h"
-#include "core/shading/fresnel.h"
+#include "core/render/stratified_points.h"
+#include "core/shading/interaction.h"
+#include "core/shading/phong.h"
 #include "core/shading/shading_scene.h"
+#include "core/shading/shadow_reach.h"
 
 namespace rtb {
 
@@ -15,7 +20,10 @@ inline constexpr int kMaxDepth = 64;
 
 /// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6),
 /// 1980: direct light with shadow rays, one reflected and one refracted ray
-/// per specular hit. The recursion is an explicit stack.
+/// per specular hit. Lights with extent get several shadow rays, and rough
+/// reflections several rays at the eye ray's hit, as in Cook, Porter and
+/// Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984. The recursion is an
+/// explicit stack.
 /// @tparam Tracer answers Closest(ray), Transmittance(ray) and geometry().
 template <class Tracer>
 class Whitted {
@@ -26,31 +34,29 @@ class Whitted {
       : tracer_(tracer), shading_(shading), max_depth_(max_depth) {}
 
   /// Radiance along an eye ray. Counts the rays that it traces.
-  RTB_HD Rgb Radiance(const Ray& eye, RayCounts* counts) {
+  RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) {
     Rgb radiance(0);
-    Push({eye, Rgb(1), 0});
+    Push({eye.ray, Rgb(1), 0, 1, false});
     ++counts->camera;
     while (size_ > 0) {
       const Pending pending = stack_[--size_];
       if (pending.depth > 0) ++counts->secondary;
-      radiance += pending.weight * Shade(pending, counts);
+      radiance += pending.weight * Shade(eye, pending, counts);
     }
     return radiance;
   }
 
  private:
+  /// Reflection rays of a rough surface that the eye ray meets.
+  static constexpr int kGlossyRays = 8;
+
   /// A ray whose radiance is still to be added, times its weight.
   struct Pending {
     Ray ray;
     Rgb weight;
     int depth;
-  };
-
-  /// A surface hit, as seen from the ray that found it.
-  struct View {
-    SurfacePoint point;
-    V3f normal;         ///< Turned towards the viewer.
-    bool from_outside;  ///< The viewer is on the outward side.
+    std::uint32_t branch;  ///< Which of the eye ray's descendants it is.
+    bool rough;  ///< Stands for a lobe that the lights were evaluated for.
   };
 
   RTB_HD void Push(const Pending& pending) {
@@ -58,101 +64,150 @@ class Whitted {
     stack_[size_++] = pending;
   }
 
-  RTB_HD void PushBounce(const Pending& from, const View& view,
-                         const V3f& direction, const Rgb& weight) {
-    Pending next{{}, from.weight * weight, from.depth + 1};
-    next.ray.origin = LeavingOrigin(view.point, direction);
+  RTB_HD void PushBounce(const Pending& from, const Interaction& at,
+                         const V3f& direction, const Rgb& weight,
+                         std::uint32_t child, bool rough = false) {
+    // Up to 16 children each; the hash of a long line of them may wrap.
+    Pending next{{},
+                 from.weight * weight,
+                 from.depth + 1,
+                 from.branch * 16 + child,
+                 rough};
+    next.ray.origin = LeavingOrigin(at.point, direction);
     next.ray.direction = direction;
     Push(next);
   }
 
+  RTB_HD void PushMirrored(const Pending& from, const Interaction& at,
+                           const Rgb& weight) {
+    const V3f mirrored = Reflect(from.ray.direction, at.normal);
+    PushBounce(from, at, at.AboveSurface(mirrored), weight, 0);
+  }
+
   /// Radiance that the hit surface adds by itself; pushes what it reflects
   /// and transmits.
-  RTB_HD Rgb Shade(const Pending& pending, RayCounts* counts) {
+  RTB_HD Rgb Shade(const EyeSample& eye, const Pending& pending,
+                   RayCounts* counts) {
     const Ray& ray = pending.ray;
     const Hit hit = tracer_.Closest(ray);
     if (hit.kind == PrimitiveKind::kNothing) {
       return BackgroundRadiance(shading_.background, ray.direction);
     }
-    View view;
-    view.point = SurfaceAt(tracer_.geometry(), ray, hit);
-    view.from_outside = ray.direction.dot(view.point.normal) < 0;
-    view.normal = view.from_outside ? view.point.normal : -view.point.normal;
-    const ObjectData& object = tracer_.geometry().objects[view.point.object];
-    const MaterialData& material = shading_.material(object.material);
-    const Rgb color = ColorAt(material, object, view.point);
-    switch (material.model) {
+    const Interaction at =
+        MakeInteraction(shading_, tracer_.geometry(), ray, hit);
+    switch (at.bsdf.model) {
+      case SurfaceModel::kEmissive:
+        // A rough reflection of a light is in its direct light already.
+        return pending.rough && at.is_light ? Rgb(0) : at.emitted;
       case SurfaceModel::kLambertian:
-        return color * DiffuseLight(view, counts);
+        return DirectLight(eye, pending, at, counts) + Ambient(at);
       case SurfaceModel::kMirror:
-        PushBounce(pending, view, Reflect(ray.direction, view.normal), color);
+        PushMirrored(pending, at, at.bsdf.color);
         return Rgb(0);
       case SurfaceModel::kMetal:
-        ShadeMetal(pending, view, color);
-        return Rgb(0);
-      case SurfaceModel::kDielectric:
-        ShadeDielectric(pending, view, material);
-        return Rgb(0);
-      case SurfaceModel::kEmissive:
-        return color;
-      case SurfaceModel::kPlastic:  // CheckRenderable refuses these two.
+        return ShadeGlossy(eye, pending, at, counts);
+      case SurfaceModel::kPlastic:
+        return ShadeGlossy(eye, pending, at, counts) + Ambient(at);
       case SurfaceModel::kPhong:
+        PushMirrored(pending, at, at.reflectance);
+        return DirectLight(eye, pending, at, counts) + Ambient(at);
+      case SurfaceModel::kDielectric:
+        ShadeDielectric(pending, at);
         return Rgb(0);
     }
     return Rgb(0);
   }
 
-  RTB_HD static Rgb ColorAt(const MaterialData& material,
-                            const ObjectData& object,
-                            const SurfacePoint& point) {
-    if (material.checker.size == 0) return material.color;
-    const Affinef& map = object.world_to_object;
-    // A world-to-object map takes normals there by its inverse transpose;
-    // the cofactors of the linear part give that without inverting.
-    const V3f normal = map.y.cross(map.z) * point.normal.x +
-                       map.z.cross(map.x) * point.normal.y +
-                       map.x.cross(map.y) * point.normal.z;
-    return CheckerColor(material.checker, map.Point(point.position),
-                        normal.normalized());
+  RTB_HD Rgb Ambient(const Interaction& at) const {
+    return at.bsdf.color * shading_.ambient;
   }
 
-  /// Irradiance / pi plus ambient: what a white diffuse surface would emit.
-  RTB_HD Rgb DiffuseLight(const View& view, RayCounts* counts) const {
-    constexpr float kInversePi = 0.318309886183790672f;
-    Rgb irradiance(0);
-    for (int i = 0; i < shading_.light_count; ++i) {
-      const LightSample light =
-          SampleLight(shading_.lights[i], view.point.position);
-      const float cosine = light.direction.dot(view.normal);
-      if (!(cosine > 0) || light.irradiance == Rgb(0)) continue;
-      Ray shadow;
-      shadow.origin = LeavingOrigin(view.point, view.normal);
-      shadow.direction = light.direction;
-      shadow.t_max = light.distance;
-      ++counts->shadow;
-      irradiance += light.irradiance * tracer_.Transmittance(shadow) * cosine;
+  /// Light of all lights that the surface sends to the viewer.
+  RTB_HD Rgb DirectLight(const EyeSample& eye, const Pending& pending,
+                         const Interaction& at, RayCounts* counts) const {
+    Rgb radiance(0);
+    for (int i = 0; i < shading_.declared_lights; ++i) {
+      const LightData& light = shading_.lights[i];
+      if (!HasExtent(light)) {
+        const LightSample sample = SampleLight(light, at.point.position);
+        radiance += Received(light, sample, at, counts);
+        continue;
+      }
+      const auto purpose = static_cast<std::uint32_t>(i + 1);
+      const StratifiedPoints points(eye, pending.branch, purpose,
+                                    light.samples);
+      Rgb sum(0);
+      for (int k = 0; k < light.samples; ++k) {
+        const LightSample sample =
+            SampleLightByArea(light, at.point.position, points.At(k));
+        sum += Received(light, sample, at, counts);
+      }
+      radiance += sum / static_cast<float>(light.samples);
     }
-    return irradiance * kInversePi + shading_.ambient;
+    return radiance;
   }
 
-  RTB_HD void ShadeMetal(const Pending& pending, const View& view,
-                         const Rgb& f0) {
-    const V3f& d = pending.ray.direction;
-    const float cosine = std::min(1.0f, -d.dot(view.normal));
-    PushBounce(pending, view, Reflect(d, view.normal),
-               FresnelSchlick(f0, cosine));
+  /// What one sample of a light contributes.
+  RTB_HD Rgb Received(const LightData& light, const LightSample& sample,
+                      const Interaction& at, RayCounts* counts) const {
+    if (sample.irradiance == Rgb(0)) return Rgb(0);
+    const Rgb response = Response(at, sample.direction);
+    if (response == Rgb(0)) return Rgb(0);
+    Ray shadow;
+    shadow.origin = LeavingOrigin(at.point, at.geometric);
+    shadow.direction = sample.direction;
+    shadow.t_max = ShadowReach(light, at.point.position, sample);
+    ++counts->shadow;
+    return response * sample.irradiance * tracer_.Transmittance(shadow);
   }
 
-  RTB_HD void ShadeDielectric(const Pending& pending, const View& view,
-                              const MaterialData& glass) {
+  /// f |cos|, and Phong's highlight, which takes no cosine.
+  RTB_HD Rgb Response(const Interaction& at, const V3f& towards) const {
+    if (at.bsdf.model != SurfaceModel::kPhong) {
+      return at.Evaluate(shading_.ggx_energy, towards);
+    }
+    const V3f wo = at.ToLocal(at.outgoing), wi = at.ToLocal(towards);
+    if (!(towards.dot(at.geometric) > 0)) return Rgb(0);
+    return EvalDiffuse(at.bsdf, wo, wi) * wi.z + EvalPhong(at.bsdf, wo, wi);
+  }
+
+  RTB_HD Rgb ShadeGlossy(const EyeSample& eye, const Pending& pending,
+                         const Interaction& at, RayCounts* counts) {
+    if (at.bsdf.alpha == 0) {
+      const float cosine = std::min(1.0f, at.outgoing.dot(at.normal));
+      PushMirrored(pending, at, SpecularFresnel(at.bsdf, cosine));
+    } else {
+      PushGlossy(eye, pending, at);
+    }
+    if (!HasNonDelta(at.bsdf)) return Rgb(0);
+    return DirectLight(eye, pending, at, counts);
+  }
+
+  RTB_HD void PushGlossy(const EyeSample& eye, const Pending& pending,
+                         const Interaction& at) {
+    const int rays = pending.depth == 0 ? kGlossyRays : 1;
+    const StratifiedPoints points(eye, pending.branch, 0, rays);
+    const V3f wo = at.ToLocal(at.outgoing);
+    for (int k = 0; k < rays; ++k) {
+      const BsdfSample sample =
+          SampleGlossy(at.bsdf, shading_.ggx_energy, wo, points.At(k));
+      const V3f direction = at.ToWorld(sample.wi);
+      if (!(sample.pdf > 0) || !(direction.dot(at.geometric) > 0)) continue;
+      PushBounce(pending, at, direction,
+                 sample.weight / static_cast<float>(rays),
+                 static_cast<std::uint32_t>(2 + k), true);
+    }
+  }
+
+  RTB_HD void ShadeDielectric(const Pending& pending, const Interaction& at) {
     const V3f& d = pending.ray.direction;
-    const float eta = view.from_outside ? 1 / glass.ior : glass.ior;
-    const float cosine = std::min(1.0f, -d.dot(view.normal));
+    const float eta = at.from_outside ? 1 / at.bsdf.ior : at.bsdf.ior;
+    const float cosine = std::min(1.0f, -d.dot(at.normal));
     const float f = FresnelDielectric(cosine, eta);
-    PushBounce(pending, view, Reflect(d, view.normal), Rgb(f));
+    PushMirrored(pending, at, Rgb(f));
     if (f < 1) {
-      PushBounce(pending, view, Refract(d, view.normal, eta),
-                 glass.color * (1 - f));
+      PushBounce(pending, at, Refract(d, at.normal, eta),
+                 at.bsdf.color * (1 - f), 1);
     }
   }
 
@@ -160,8 +215,8 @@ class Whitted {
   const ShadingView shading_;
   const int max_depth_;
   int size_ = 0;
-  // A popped ray pushes at most two, one level deeper.
-  Pending stack_[kMaxDepth + 2];
+  // A popped ray pushes at most two, one level deeper; the eye ray more.
+  Pending stack_[kMaxDepth + kGlossyRays + 2];
 };
 
 }  // namespace rtb

@@ -103,7 +103,7 @@ void SceneReader::ReadCompound(MapReader& reader, int kind, int level,
     mesh.smooth = reader.Bool("smooth", mesh.smooth);
     mesh.subdivide = reader.Integer("subdivide", 0, kMaxSubdivision, 0);
     mesh.file = File(reader);
-    mesh.data = ReadMesh(mesh.file, reader.MarkOf("file"));
+    mesh.data = ReadMesh(mesh, reader);
     object->shape = std::move(mesh);
   }
 }

@@ -17,10 +17,13 @@ struct ObjMesh {
   std::vector<std::string> warnings;  ///< One sentence each.
 };
 
-/// Reads all faces of an OBJ file as one mesh. Polygons are triangulated;
-/// vertices are repeated where faces disagree on normal or texture coordinate;
-/// triangles that are degenerate or have a vertex that is not finite are
-/// dropped. Normals come out with length 1.
+/// Reads all faces of an OBJ file as one mesh. Polygons are triangulated, also
+/// where they are not convex; vertices are repeated where faces disagree on
+/// normal or texture coordinate; triangles without an area (see HasArea) or
+/// with a vertex that is not finite are dropped. Normals come out with length
+/// 1; one of length 0 becomes that of a face at the vertex. A mesh has normals
+/// and texture coordinates for all its corners or not at all. Whatever was
+/// mended is among the warnings.
 /// @return an Error that names the file (and line) when it is not acceptable
 /// or has no triangle.
 Result<ObjMesh> ReadObjMesh(const std::filesystem::path& file);

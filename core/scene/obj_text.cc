@@ -117,6 +117,7 @@ class ObjChecker {
                                     [](float x) { return std::isfinite(x); });
     if (!finite && list.count < INT32_MAX) {
       if (word == "v") result_.non_finite.insert(list.count);
+      if (word == "vt") ++result_.non_finite_uvs;
       std::fill(values.begin(), values.end(), 0.0f);
     }
     result_.text += word;
@@ -141,12 +142,21 @@ class ObjChecker {
       ++result_.skipped_faces;
       return {};
     }
+    KeepFace(words);
+    return {};
+  }
+
+  void KeepFace(const Words& words) {
+    const unsigned int group = words.size() - 1 == 4 ? kQuads : 0;
+    if (group != group_) {
+      result_.text += "s " + std::to_string(group) + '\n';
+      group_ = group;
+    }
     for (const std::string_view word : words) {
       result_.text += word;
       result_.text += ' ';
     }
     result_.text += '\n';
-    return {};
   }
 
   /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
@@ -193,6 +203,7 @@ class ObjChecker {
 
   const std::string& file_;
   ObjText result_;
+  unsigned int group_ = 0;  ///< Smoothing group of the last face.
   int line_ = 0;
   std::array<List, 3> lists_ = {
       {{"vertex"}, {"texture coordinate"}, {"normal"}}};

@@ -13,14 +13,20 @@ namespace rtb {
 
 /// The lines of an OBJ file that make a triangle mesh.
 struct ObjText {
-  std::string text;  ///< `v x y z`, `vn x y z`, `vt u v` and `f` lines only.
+  /// `v x y z`, `vn x y z`, `vt u v` and `f` lines, the faces in smoothing
+  /// groups (`s`) of their own: quads in kQuads, others in none.
+  std::string text;
   /// Vertices (from 0) that are not finite; they stand as zeros in `text`.
   std::set<int> non_finite;
-  int skipped_faces = 0;  ///< Of fewer than three vertices.
+  int non_finite_uvs = 0;  ///< Texture coordinates, zeros in `text` too.
+  int skipped_faces = 0;   ///< Of fewer than three vertices.
 };
 
 /// Largest number of vertices in one face.
 inline constexpr int kMaxFaceVertices = 1024;
+
+/// The smoothing group of faces of four vertices.
+inline constexpr unsigned int kQuads = 4;
 
 /// Checks numbers and indices, and keeps what makes a mesh. Lines of other
 /// kinds (names, groups, materials, curves) are passed over.

@@ -198,7 +198,7 @@ struct Mesh {
   std::filesystem::path file;
   bool smooth = true;
   int subdivide = 0;
-  Index data = kNone;  ///< Into Scene::meshes; equal files share one.
+  Index data = kNone;  ///< Into Scene::meshes, where it is ready to render.
 };
 /// The children are in Object::children.
 struct Group {};
@@ -246,6 +246,8 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Object> objects;
   std::vector<Path> paths;
+  /// Of each file, `smooth` and `subdivide` that objects name: subdivided,
+  /// and with normals only where they are to be shaded with.
   std::vector<TriangleMesh> meshes;
   /// What was mended on loading (e.g. degenerate triangles of a mesh that were
   /// dropped), one sentence each.

@@ -3,12 +3,14 @@
 /// section of the file; errors gather in the ReadContext.
 #pragma once
 
+#include <compare>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "core/scene/obj_mesh.h"
 #include "core/scene/scene.h"
 #include "core/scene/yaml_reader.h"
 
@@ -20,6 +22,14 @@ inline constexpr int kMaxObjectDepth = 64;
 
 /// Ids of a list of the scene, with their positions in it.
 using IdMap = std::map<std::string, Index, std::less<>>;
+
+/// What makes an entry of Scene::meshes.
+struct MeshKey {
+  std::filesystem::path file;
+  bool smooth = true;
+  int subdivide = 0;
+  auto operator<=>(const MeshKey&) const = default;
+};
 
 /// A scene under construction.
 class SceneReader {
@@ -53,8 +63,12 @@ class SceneReader {
   Object ReadObject(YamlNode node, int level);
   void ReadTransform(MapReader& object, Object* result);
   void ReadCompound(MapReader& reader, int kind, int level, Object* object);
-  /// The mesh of a file, read once however often it is named.
-  Index ReadMesh(const std::filesystem::path& file, SourceMark mark);
+  /// The entry of Scene::meshes that a mesh is rendered from. Equal file,
+  /// `smooth` and `subdivide` share one; each file is parsed once.
+  Index ReadMesh(const Mesh& mesh, MapReader& reader);
+  /// The parsed file of a mesh, by its canonical name; null after an error.
+  const ObjMesh* ReadObj(const std::filesystem::path& key, const Mesh& mesh,
+                         MapReader& reader);
 
   /// The items of an optional list-valued key.
   std::vector<YamlNode> Section(MapReader& root, std::string_view key);
@@ -68,7 +82,8 @@ class SceneReader {
   ReadContext& context_;
   Scene scene_;
   IdMap path_ids_, material_ids_, light_ids_, object_ids_;
-  std::map<std::filesystem::path, Index> mesh_files_;
+  std::map<std::filesystem::path, ObjMesh> obj_files_;
+  std::map<MeshKey, Index> mesh_entries_;
   std::set<std::filesystem::path> known_files_;
   int objects_ = 0;
 };

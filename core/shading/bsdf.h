@@ -4,6 +4,8 @@
 /// BSDF (phong.h): all three answer black for it, as for emitters.
 #pragma once
 
+#include <cmath>
+
 #include "core/base/host_device.h"
 #include "core/math/vec.h"
 #include "core/shading/bsdf_data.h"
@@ -50,10 +52,9 @@ RTB_HD inline float SpecularChance(const BsdfData& bsdf, const V3f& wo) {
   // Rough facets are met at other angles too.
   const float mean = bsdf.alpha > 0 ? bsdf.average_fresnel : 0.0f;
   const float specular = 1 - through > mean ? 1 - through : mean;
-  const Rgb base = PlasticBaseGain(bsdf) * (1 - bsdf.average_fresnel);
-  const float base_max = base.x > base.y ? (base.x > base.z ? base.x : base.z)
-                                         : (base.y > base.z ? base.y : base.z);
-  const float sum = specular + through * base_max;
+  const float base =
+      MaxComponent(PlasticBaseGain(bsdf)) * (1 - bsdf.average_fresnel);
+  const float sum = specular + through * base;
   return sum > 0 ? specular / sum : 1.0f;
 }
 
@@ -79,6 +80,14 @@ RTB_HD inline BsdfSample SampleOf(const BsdfData& bsdf,
     sample.weight = EvalBsdf(bsdf, energy, wo, wi) * (wi.z / sample.pdf);
   }
   return sample;
+}
+
+/// Cosine-weighted direction above the surface: Malley's method.
+RTB_HD inline V3f SampleCosine(const V2f& u) {
+  const float radius = std::sqrt(u.x);
+  const float phi = 2 * kPi * u.y;
+  return V3f(radius * std::cos(phi), radius * std::sin(phi),
+             std::sqrt(1 - u.x));
 }
 
 /// Draws wi. A black weight ends the path.

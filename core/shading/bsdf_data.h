@@ -11,7 +11,7 @@
 #include "core/base/host_device.h"
 #include "core/math/vec.h"
 #include "core/shading/ggx_energy.h"
-#include "core/shading/material.h"
+#include "core/shading/surface_model.h"
 
 namespace rtb {
 
@@ -47,6 +47,11 @@ struct BsdfSample {
 /// @param energy must be valid where roughness > 0 counts.
 BsdfData MakeBsdf(SurfaceModel model, const Rgb& color, float ior,
                   float roughness, const GgxEnergyView& energy);
+
+RTB_HD inline float MaxComponent(const Rgb& c) {
+  const float xy = c.x > c.y ? c.x : c.y;
+  return xy > c.z ? xy : c.z;
+}
 
 /// The model has a GGX lobe of some width.
 RTB_HD inline bool IsGlossy(const BsdfData& bsdf) {

@@ -4,6 +4,8 @@
 /// the dielectric's.
 #pragma once
 
+#include <cmath>
+
 #include "core/base/host_device.h"
 #include "core/math/vec.h"
 #include "core/shading/bsdf_data.h"
@@ -29,16 +31,26 @@ RTB_HD inline Rgb MeanSpecularFresnel(const BsdfData& bsdf) {
   return Rgb(bsdf.average_fresnel);
 }
 
-/// What the facets reflect more than once as a share of what they would if
-/// they were white. With F and E the mean Fresnel and albedo, light leaves
-/// after the first bounce with F E, and after bounce k + 1 with
-/// F E (F (1 - E))^k; the sum over k >= 1 over 1 - E is
-///   F^2 E / (1 - F (1 - E)),
-/// 1 for F = 1 (Kulla and Conty 2017, "Metallic Fresnel", where one F less is
-/// printed than the sum has).
-RTB_HD inline Rgb MultipleFresnel(const BsdfData& bsdf) {
+/// The share of what facets reflect once that leaves after further bounces,
+/// for each unit of the loss 1 - E. With F and E the mean Fresnel and albedo,
+/// bounce k + 1 lets go F E (F (1 - E))^k; the sum over k >= 1 is
+/// F (1 - E) * F E / (1 - F (1 - E)).
+/// @return F E / (1 - F (1 - E)): 1 for F = 1.
+RTB_HD inline Rgb FurtherShare(const BsdfData& bsdf) {
   const Rgb f = MeanSpecularFresnel(bsdf);
-  return f * f * (1 - bsdf.average_loss) / (Rgb(1) - f * bsdf.average_loss);
+  return f * (1 - bsdf.average_loss) / (Rgb(1) - f * bsdf.average_loss);
+}
+
+/// f of the compensation lobe, reciprocal and of the albedo that is lost:
+/// Kulla and Conty 2017. Its Fresnel term F^2 E / (1 - F (1 - E)) has one F
+/// more than their slides print, as the sum above has.
+RTB_HD inline Rgb EvalCompensation(const BsdfData& bsdf,
+                                   const GgxEnergyView& energy, float cos_o,
+                                   float cos_i) {
+  const float loss = GgxLoss(energy, cos_o, bsdf.alpha) *
+                     GgxLoss(energy, cos_i, bsdf.alpha) /
+                     (kPi * bsdf.average_loss);
+  return MeanSpecularFresnel(bsdf) * FurtherShare(bsdf) * loss;
 }
 
 /// f of the whole lobe; 0 for smooth surfaces and from below.
@@ -49,10 +61,26 @@ RTB_HD inline Rgb EvalGlossy(const BsdfData& bsdf, const GgxEnergyView& energy,
   const Rgb single =
       SpecularFresnel(bsdf, wo.dot(h)) *
       (GgxDistribution(h, bsdf.alpha) * GgxVisibility(wo, wi, bsdf.alpha));
-  const float loss = GgxLoss(energy, wo.z, bsdf.alpha) *
-                     GgxLoss(energy, wi.z, bsdf.alpha) /
-                     (kPi * bsdf.average_loss);
-  return single + MultipleFresnel(bsdf) * loss;
+  return single + EvalCompensation(bsdf, energy, wo.z, wi.z);
+}
+
+/// Maps two uniforms to a direction of the compensation lobe. Its loss times
+/// cosine falls as 1 / cos above cos = alpha: for narrow lobes most of it is
+/// grazing, where a cosine-weighted choice would hardly ever look. So
+/// w = log(1 + cos / alpha) / log(1 + 1 / alpha) is drawn with density 2 w.
+RTB_HD inline V3f SampleCompensation(float alpha, const V2f& u) {
+  const float range = std::log1p(1 / alpha);
+  const float cosine = alpha * std::expm1(std::sqrt(u.x) * range);
+  const float z = cosine < 1 ? cosine : 1.0f;
+  const float radius = std::sqrt(1 - z * z);
+  const float phi = 2 * kPi * u.y;
+  return V3f(radius * std::cos(phi), radius * std::sin(phi), z);
+}
+
+/// Its density per solid angle.
+RTB_HD inline float CompensationPdf(float alpha, float cosine) {
+  const float range = std::log1p(1 / alpha);
+  return std::log1p(cosine / alpha) / (range * range * kPi * (cosine + alpha));
 }
 
 /// The chance that SampleGlossy draws a single reflection, not compensation:
@@ -60,12 +88,7 @@ RTB_HD inline Rgb EvalGlossy(const BsdfData& bsdf, const GgxEnergyView& energy,
 RTB_HD inline float SingleChance(const BsdfData& bsdf,
                                  const GgxEnergyView& energy, const V3f& wo) {
   const float loss = GgxLoss(energy, wo.z, bsdf.alpha);
-  const Rgb f = MeanSpecularFresnel(bsdf);
-  const float f_max =
-      f.x > f.y ? (f.x > f.z ? f.x : f.z) : (f.y > f.z ? f.y : f.z);
-  const float more =
-      f_max * (1 - bsdf.average_loss) / (1 - f_max * bsdf.average_loss);
-  return (1 - loss) / (1 - loss + loss * more);
+  return (1 - loss) / (1 - loss + loss * MaxComponent(FurtherShare(bsdf)));
 }
 
 /// Density per solid angle of SampleGlossy's directions. It integrates to 1
@@ -76,27 +99,19 @@ RTB_HD inline float PdfGlossy(const BsdfData& bsdf, const GgxEnergyView& energy,
   const V3f h = (wo + wi).normalized();
   const float single = SingleChance(bsdf, energy, wo);
   return single * VisibleReflectionPdf(wo, h, bsdf.alpha) +
-         (1 - single) * wi.z / kPi;
+         (1 - single) * CompensationPdf(bsdf.alpha, wi.z);
 }
 
-/// Cosine-weighted direction above the surface: Malley's method.
-RTB_HD inline V3f SampleCosine(const V2f& u) {
-  const float radius = std::sqrt(u.x);
-  const float phi = 2 * kPi * u.y;
-  return V3f(radius * std::cos(phi), radius * std::sin(phi),
-             std::sqrt(1 - u.x));
-}
-
-/// Maps two uniforms to a direction of the lobe, never to a value outside the
-/// unit hemisphere; black where wi would be below it. Neighboring uniforms
-/// give neighboring directions but for one step in u.x, so that stratified
-/// uniforms give stratified rays.
+/// Maps two uniforms to a direction of the lobe, which may lie below the
+/// surface. Near uniforms give near directions but for one step in u.x, so
+/// that stratified uniforms give stratified rays.
 RTB_HD inline V3f GlossyDirection(const BsdfData& bsdf,
                                   const GgxEnergyView& energy, const V3f& wo,
                                   const V2f& u) {
   const float single = SingleChance(bsdf, energy, wo);
   if (u.x >= single) {
-    return SampleCosine(V2f(u.y, (u.x - single) / (1 - single)));
+    return SampleCompensation(bsdf.alpha,
+                              V2f(u.y, (u.x - single) / (1 - single)));
   }
   const V3f h = SampleVisibleNormal(wo, bsdf.alpha, V2f(u.x / single, u.y));
   return (h * (2 * wo.dot(h)) - wo).normalized();

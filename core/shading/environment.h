@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/host_device.h"
+#include "core/math/constants.h"
 #include "core/math/discrete.h"
 #include "core/math/vec.h"
 #include "core/shading/texture.h"
@@ -37,7 +38,6 @@ struct BackgroundSample {
 /// Where a direction lies in the image, in texels.
 RTB_HD inline V2f EnvironmentPosition(const EnvironmentData& environment,
                                       const V3f& direction) {
-  constexpr float kPi = std::numbers::pi_v<float>;
   const V3f& d = direction;
   const float longitude = std::atan2(d.x, -d.z);
   const float from_top = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
@@ -56,7 +56,6 @@ RTB_HD inline Rgb EnvironmentRadiance(const EnvironmentData& environment,
 /// The solid angle of a texel of row `row`.
 RTB_HD inline float TexelSolidAngle(int width, int height, int row) {
   // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2) cancels nothing.
-  constexpr float kPi = std::numbers::pi_v<float>;
   const float half_step = kPi / 2 / static_cast<float>(height);
   const float middle = half_step * static_cast<float>(2 * row + 1);
   return 4 * kPi / static_cast<float>(width) * std::sin(middle) *

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -52,6 +54,8 @@ Environment MakeEnvironment(Image image) {
                 TexelSolidAngle(image.width(), image.height(), y);
   }
   environment.row_cdf = MakeCdf(rows);
+  environment.mean_luminance =
+      std::accumulate(rows.begin(), rows.end(), 0.0) / (4 * std::numbers::pi);
   environment.image = std::move(image);
   return environment;
 }

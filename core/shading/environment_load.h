@@ -17,6 +17,7 @@ struct Environment {
   Image image;
   std::vector<float> row_cdf;
   std::vector<float> column_cdfs;
+  double mean_luminance = 0;  ///< Over all directions.
 };
 
 /// Builds the tables. The image is not empty, its values are finite and not

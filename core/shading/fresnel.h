@@ -14,13 +14,19 @@ namespace rtb {
 /// @param cos_i cosine of the angle of incidence, 0..1.
 /// @param eta index on the incident side / index on the other side.
 /// @return 1 under total internal reflection.
-RTB_HD inline float FresnelDielectric(float cos_i, float eta) {
-  const float sin2_t = eta * eta * (1 - cos_i * cos_i);
+template <class T>
+RTB_HD T DielectricReflectance(T cos_i, T eta) {
+  const T sin2_t = eta * eta * (1 - cos_i * cos_i);
   if (sin2_t >= 1) return 1;
-  const float cos_t = std::sqrt(1 - sin2_t);
-  const float s = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-  const float p = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+  const T cos_t = std::sqrt(1 - sin2_t);
+  const T s = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+  const T p = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
   return (s * s + p * p) / 2;
+}
+
+/// DielectricReflectance in rendering's precision.
+RTB_HD inline float FresnelDielectric(float cos_i, float eta) {
+  return DielectricReflectance(cos_i, eta);
 }
 
 /// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994,

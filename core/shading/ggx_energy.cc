@@ -36,23 +36,24 @@ double Integrand(const View& o, double m, double cos_phi) {
 
 /// The integral over the slopes of one azimuth that mirror the view upwards.
 /// With m = alpha tan(psi) the density of slopes (Walter et al. 2007) is
-/// 2 sin(psi) cos(psi) d(psi) d(phi) / 2 pi.
+/// 2 sin(psi) cos(psi) d(psi) d(phi) / 2 pi; t = tan(psi / 2) makes the
+/// integrand rational.
 double OverSlopes(const View& o, double cos_phi, const Rule& rule) {
   // cos_i > 0 where m^2 - 2 m k - 1 < 0, with k = tan(theta_o) cos(phi).
   const double k = o.sine * cos_phi / std::max(o.cosine, 1e-300);
   const double root = std::sqrt(k * k + 1);
-  const double m_max = k > 0 ? k + root : 1 / (root - k);
-  const double psi_max = std::atan(m_max / o.alpha);
+  const double tan_max = (k > 0 ? k + root : 1 / (root - k)) / o.alpha;
+  const double t_max = 1 / (1 / tan_max + std::sqrt(1 / tan_max / tan_max + 1));
   double sum = 0;
   for (const QuadraturePoint& q : rule) {
     // Points gather at the steep end, where narrow lobes fall off.
-    const double psi = psi_max * q.x * (2 - q.x);
-    const double s = std::sin(psi);
-    const double c = std::cos(psi);
-    sum += q.weight * 2 * (1 - q.x) * s * c *
-           Integrand(o, o.alpha * s / c, cos_phi);
+    const double t = t_max * q.x * (2 - q.x);
+    const double plus = 1 / (1 + t * t);
+    const double minus = 1 - t * t;
+    sum += q.weight * (1 - q.x) * t * minus * plus * plus * plus *
+           Integrand(o, o.alpha * 2 * t / minus, cos_phi);
   }
-  return 2 * psi_max * sum;
+  return 16 * t_max * sum;
 }
 
 double Loss(double cosine, double alpha, const Rule& rule) {
@@ -85,7 +86,7 @@ float RootLossAt(int index, const Rule& rule) {
 }  // namespace
 
 GgxEnergy MakeGgxEnergy() {
-  constexpr int kOrder = 11;
+  constexpr int kOrder = 10;
   const Rule rule = GaussLegendre(kOrder);
   GgxEnergy energy;
   energy.root_loss.resize(kGgxRoughnesses * kGgxCosines);
@@ -98,6 +99,7 @@ GgxEnergy MakeGgxEnergy() {
 }
 
 GgxEnergyView ViewOf(const GgxEnergy& energy) {
+  if (energy.root_loss.empty()) return {};
   RTB_CHECK_EQ(energy.root_loss.size(),
                std::size_t{kGgxRoughnesses * kGgxCosines});
   return {energy.root_loss.data()};

@@ -9,10 +9,10 @@
 namespace rtb {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPiExact = std::numbers::pi;
 
 float Radians(double degrees) {
-  return static_cast<float>(degrees * kPi / 180);
+  return static_cast<float>(degrees * kPiExact / 180);
 }
 
 /// A flat light from its corner and edges.
@@ -96,21 +96,21 @@ LightData TriangleLight(const V3f& a, const V3f& b, const V3f& c,
 
 double LightPower(const LightData& light, double scene_radius) {
   const double color = Luminance(light.color);
-  const double disk = kPi * scene_radius * scene_radius;
+  const double disk = kPiExact * scene_radius * scene_radius;
   switch (light.model) {
     case LightModel::kPoint:
-      return light.inverse_square ? color * 4 * kPi : color * disk;
+      return light.inverse_square ? color * 4 * kPiExact : color * disk;
     case LightModel::kDirectional:
       return color * disk;
     case LightModel::kSpot:
-      return color * 2 * kPi *
+      return color * 2 * kPiExact *
              (1 - std::cos(light.cone + light.penumbra / 2.0));
     case LightModel::kQuad:
-      return color * kPi * light.area;
+      return color * kPiExact * light.area;
     case LightModel::kTriangle:
-      return color * 2 * kPi * light.area;
+      return color * 2 * kPiExact * light.area;
     case LightModel::kSphere:
-      return color * kPi * 4 * kPi * std::pow(light.radius, 2.0);
+      return color * kPiExact * 4 * kPiExact * std::pow(light.radius, 2.0);
   }
   return 0;
 }

@@ -66,8 +66,11 @@ RTB_HD inline float SampleX(const SphericalRectangle& r, float u) {
   const float a = r.a01 - r.a00 + u * r.solid_angle;
   const float c0 = r.y0 / std::sqrt(r.y0 * r.y0 + r.z0 * r.z0);
   const float c1 = r.y1 / std::sqrt(r.y1 * r.y1 + r.z0 * r.z0);
-  const float half = std::sin(a / 2);
-  const float side2 = (c1 - c0) * (c1 - c0) + 4 * c0 * c1 * half * half;
+  const bool same = c0 * c1 >= 0;  // then sums of what is not negative
+  const float half = same ? std::sin(a / 2) : std::cos(a / 2);
+  const float difference = same ? c1 - c0 : c1 + c0;
+  const float side2 =
+      difference * difference + 4 * std::abs(c0 * c1) * half * half;
   const float s = std::sin(a) / std::sqrt(side2);
   const float x = s * std::abs(r.z0) / std::sqrt(std::max(0.0f, 1 - s * s));
   return std::min(r.x1, std::max(r.x0, x));  // x0 where x is no number

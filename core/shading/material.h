@@ -1,50 +1,20 @@
 /// @file
-/// Materials as plain data for host and device, and the checker texture.
+/// Materials as plain data for host and device.
 #pragma once
 
-#include <cmath>
-
-#include "core/base/host_device.h"
 #include "core/math/vec.h"
+#include "core/shading/bsdf_data.h"
+#include "core/shading/checker.h"
 
 namespace rtb {
 
-/// What a surface does with light.
-enum class SurfaceModel {
-  kLambertian,
-  kMirror,
-  kMetal,
-  kDielectric,
-  kPlastic,
-  kPhong,
-  kEmissive
-};
-
-/// Checker in object space; size 0 = none.
-struct CheckerData {
-  Rgb a{0};
-  Rgb b{0};
-  float size = 0;
-};
-
-/// A material. `color` is albedo, reflectance, tint or radiance by model.
+/// A material: its BSDF, whose color a texture may replace at each point.
 struct MaterialData {
-  SurfaceModel model = SurfaceModel::kLambertian;
-  Rgb color{0.5f};
-  float ior = 1.5f;
+  BsdfData bsdf;
   CheckerData checker;
+  int texture = -1;    ///< Into ShadingView's textures; -1 = none.
+  int bump = -1;       ///< Into ShadingView's bumps; -1 = none.
+  Rgb reflectance{0};  ///< Phong.
 };
-
-/// The checker's color at a point of object space, moved by size/1000 along
-/// the unit geometric normal so that a face on a cell border never flickers.
-RTB_HD inline Rgb CheckerColor(const CheckerData& checker, const V3f& position,
-                               const V3f& normal) {
-  const V3f p = position / checker.size + normal * 0.001f;
-  // The parity of a sum of floors, each reduced first: no overflow, far out.
-  const float sum = std::fmod(std::floor(p.x), 2.0f) +
-                    std::fmod(std::floor(p.y), 2.0f) +
-                    std::fmod(std::floor(p.z), 2.0f);
-  return std::fmod(sum, 2.0f) == 0 ? checker.a : checker.b;
-}
 
 }  // namespace rtb

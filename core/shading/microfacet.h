@@ -10,11 +10,10 @@
 #include <cmath>
 
 #include "core/base/host_device.h"
+#include "core/math/constants.h"
 #include "core/math/vec.h"
 
 namespace rtb {
-
-inline constexpr float kPi = 3.14159265358979324f;
 
 /// Density of microfacet normals, per solid angle and projected area: Walter
 /// et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR

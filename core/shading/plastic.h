@@ -19,8 +19,8 @@ double AverageFresnel(double ior);
 /// meeting with the base, summed over the internal reflections R,
 ///   color / (ior^2 (1 - R color)), 1 - R = (1 - average_fresnel) / ior^2,
 /// where 1 / ior^2 is what the radiance loses in leaving the denser side
-/// (Pharr, Jakob and Humphreys, "Physically Based Rendering", 9.5 on the
-/// compression of radiance). It is 1 / (1 - average_fresnel) for color 1, so
+/// (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th ed., 9.5.2 on
+/// refracted radiance). It is 1 / (1 - average_fresnel) for color 1, so
 /// that a white base returns what it gets.
 RTB_HD inline Rgb PlasticBaseGain(const BsdfData& bsdf) {
   const Rgb& a = bsdf.color;

@@ -1,6 +1,6 @@
 /// @file
-/// ShadingScene: the materials, lights and background of a Scene at one time
-/// as plain arrays, the counterpart of accel's Geometry.
+/// ShadingScene: the materials, textures, lights and background of a Scene as
+/// plain arrays, the counterpart of accel's Geometry.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,45 @@
 #include "core/base/result.h"
 #include "core/scene/scene.h"
 #include "core/shading/background.h"
-#include "core/shading/light.h"
+#include "core/shading/bump.h"
+#include "core/shading/environment_load.h"
+#include "core/shading/ggx_energy.h"
+#include "core/shading/light_data.h"
 #include "core/shading/material.h"
+#include "core/shading/texture.h"
+#include "core/shading/texture_load.h"
 
 namespace rtb {
+
+/// Which entry of the lights a primitive of an emissive object is, so that
+/// the path integrator can weigh a hit of it; -1 = none. An empty list says
+/// that no primitive of the kind is an emitter.
+struct EmitterIndices {
+  std::vector<int> triangles;
+  std::vector<int> spheres;
+  std::vector<int> uses;  ///< The light of a placed mesh's first triangle.
+};
 
 /// Host-owned arrays.
 struct ShadingScene {
   std::vector<MaterialData> materials;  ///< One more than the scene's: the
                                         ///< last is the default material.
-  std::vector<LightData> lights;
+  std::vector<Image> texture_images;
+  std::vector<ImageTextureData> textures;
+  std::vector<HeightMap> height_maps;
+  std::vector<BumpData> bumps;
+  Environment environment;
   BackgroundData background;
+  GgxEnergy ggx_energy;
   Rgb ambient{0};
+
+  /// The scene's lights in its order, then triangles and spheres of emissive
+  /// objects.
+  std::vector<LightData> lights;
+  EmitterIndices emitters;
+  /// For choosing among the lights and, last, the background, by power.
+  std::vector<float> light_cdf;
+  int declared_lights = 0;
 };
 
 /// The same as bare pointers, for host and device code.
@@ -30,8 +57,16 @@ struct ShadingView {
   const LightData* lights = nullptr;
   int material_count = 0;
   int light_count = 0;
+  int declared_lights = 0;  ///< The scene's own, which come first.
   BackgroundData background;
   Rgb ambient{0};
+  const ImageTextureData* textures = nullptr;
+  const BumpData* bumps = nullptr;
+  GgxEnergyView ggx_energy;
+  const float* light_cdf = nullptr;  ///< light_count + 2 numbers.
+  const int* triangle_emitters = nullptr;
+  const int* sphere_emitters = nullptr;
+  const int* use_emitters = nullptr;
 
   /// The material of that index; kNone is the default, the last one.
   RTB_HD const MaterialData& material(int index) const {
@@ -39,7 +74,8 @@ struct ShadingView {
   }
 };
 
-/// Converts materials and background; lights come by PlaceLights.
+/// Converts materials and background and reads their images; lights come by
+/// PlaceLights. @return an Error that names an image that cannot be used.
 Result<ShadingScene> MakeShadingScene(const Scene& scene);
 
 /// Puts the lights where they are at `time`.

@@ -103,9 +103,9 @@ void AddSceneOptions(CLI::App& app, SceneRequest& request) {
            "What traces the rays (see `list backends`)"},
           request.backend);
   AddWord(app,
-          {"--integrator", "whitted", request.options.integrator,
+          {"--integrator", "whitted|path", request.options.integrator,
            "How light is transported"},
-          request.options.integrator, {"whitted"});
+          request.options.integrator, {"whitted", "path"});
   AddSpp(app, request.options.spp);
   AddTime(app, request.options.time);
   AddSeed(app, request.options.seed);

@@ -139,24 +139,5 @@ TEST(LoadObjectsTest, GroupsInstancesAndFindObject) {
             &changed.objects[0].children[0].children[0]);
 }
 
-TEST(LoadObjectsTest, MeshesOfTheSameFileShareTheirData) {
-  const Scene scene = Parsed(
-      "objects:\n"
-      "  - {type: mesh, file: quad.obj, smooth: false, subdivide: 2}\n"
-      "  - {type: mesh, file: ../scenes/quad.obj}\n");
-  ASSERT_EQ(scene.objects.size(), 2u);
-  const auto& first = std::get<Mesh>(scene.objects[0].shape);
-  EXPECT_EQ(first.file, kData / "quad.obj");
-  EXPECT_FALSE(first.smooth);
-  EXPECT_EQ(first.subdivide, 2);
-  EXPECT_EQ(first.data, 0);
-  const auto& second = std::get<Mesh>(scene.objects[1].shape);
-  EXPECT_TRUE(second.smooth);
-  EXPECT_EQ(second.subdivide, 0);
-  EXPECT_EQ(second.data, 0);
-  ASSERT_EQ(scene.meshes.size(), 1u);
-  EXPECT_EQ(scene.meshes[0].triangles.size(), 2u);
-}
-
 }  // namespace
 }  // namespace rtb

@@ -9,6 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/scene/load.h"
+#include "tests/core/scene/mesh_shapes.h"
 #include "tests/core/scene/scene_text.h"
 
 namespace rtb {
@@ -33,18 +34,6 @@ Result<ObjMesh> FromText(const std::string& text) {
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-/// Twice the area of all triangles.
-float DoubleArea(const TriangleMesh& mesh) {
-  float sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const auto at = [&](int i) {
-      return mesh.positions[static_cast<std::size_t>(i)];
-    };
-    sum += (at(b) - at(a)).cross(at(c) - at(a)).length();
-  }
-  return sum;
-}
-
 TEST(ObjMeshTest, TriangleAsWritten) {
   const auto obj = FromText("o name\n" + kSquare + "usemtl m\nf 1 2 3\n");
   ASSERT_TRUE(obj) << obj.error().ToString();
@@ -61,14 +50,38 @@ TEST(ObjMeshTest, PolygonsAreTriangulated) {
   ASSERT_TRUE(quad);
   EXPECT_THAT(quad->mesh.triangles, SizeIs(2));
   EXPECT_THAT(quad->mesh.positions, SizeIs(4));
-  EXPECT_FLOAT_EQ(DoubleArea(quad->mesh), 2);
+  EXPECT_DOUBLE_EQ(AreaOf(quad->mesh), 1);
   // An L of three unit squares: not convex, four triangles, area 3.
   const auto ell = FromText(
       "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
       "f 1 2 3 4 5 6\n");
   ASSERT_TRUE(ell);
   EXPECT_THAT(ell->mesh.triangles, SizeIs(4));
-  EXPECT_FLOAT_EQ(DoubleArea(ell->mesh), 6);
+  EXPECT_DOUBLE_EQ(AreaOf(ell->mesh), 3);
+}
+
+TEST(ObjMeshTest, QuadsThatAreNotConvexAreCutInside) {
+  // An arrowhead of height 10 with a notch of height 1: 10 - 1, though the
+  // diagonal across the notch is the shorter one. Started at each corner, in
+  // both windings.
+  const std::string arrow = "v 0 10 0\nv -1 0 0\nv 0 1 0\nv 1 0 0\n";
+  for (const char* face : {"f 1 2 3 4", "f 2 3 4 1", "f 3 4 1 2", "f 4 1 2 3",
+                           "f 4 3 2 1", "f 3 2 1 4"}) {
+    const auto obj = FromText(arrow + face + "\n");
+    ASSERT_TRUE(obj);
+    EXPECT_THAT(obj->mesh.triangles, SizeIs(2));
+    EXPECT_DOUBLE_EQ(AreaOf(obj->mesh), 9) << face;
+  }
+}
+
+TEST(ObjMeshTest, TrianglesThatFoldAreNotTakenForQuads) {
+  // A flap that folds back over its neighbor, written as triangles: both of
+  // area 1/2, and kept as they are.
+  const auto obj =
+      FromText("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.9 0.1 0.1\nf 1 2 3\nf 1 3 4\n");
+  ASSERT_TRUE(obj);
+  EXPECT_THAT(obj->mesh.triangles, ElementsAre(std::array<int, 3>{0, 1, 2},
+                                               std::array<int, 3>{0, 2, 3}));
 }
 
 TEST(ObjMeshTest, NegativeIndicesCountBack) {
@@ -104,6 +117,54 @@ TEST(ObjMeshTest, NormalsOfSomeCornersAreNoNormals) {
   ASSERT_TRUE(obj);
   EXPECT_THAT(obj->mesh.triangles, SizeIs(2));
   EXPECT_THAT(obj->mesh.normals, IsEmpty());
+  EXPECT_THAT(obj->warnings, ElementsAre(HasSubstr("normals were left out")));
+}
+
+TEST(ObjMeshTest, TextureCoordinatesOfSomeCornersAreNone) {
+  const auto obj = FromText(kSquare + "vt 0 inf\nf 1/1 2/1 3/1\nf 1 3 4\n");
+  ASSERT_TRUE(obj);
+  EXPECT_THAT(obj->mesh.uvs, IsEmpty());
+  EXPECT_THAT(obj->warnings,
+              ElementsAre(HasSubstr(": 1 texture coordinates"),
+                          HasSubstr("texture coordinates were left out")));
+}
+
+TEST(ObjMeshTest, NormalsWithoutALengthAreReplaced) {
+  const auto obj = FromText(kSquare +
+                            "vn 0 0 0\nvn nan 0 0\nvn 0 1e30 0\n"
+                            "vn 1e-30 0 0\n"
+                            "f 1//1 2//2 3//3\nf 1//4 3//3 4//4\n");
+  ASSERT_TRUE(obj);
+  // The first two become the face's; the others are directions like any.
+  EXPECT_THAT(obj->mesh.normals,
+              ElementsAre(V3f(0, 0, 1), V3f(0, 0, 1), V3f(0, 1, 0),
+                          V3f(1, 0, 0), V3f(1, 0, 0)));
+  EXPECT_THAT(obj->warnings, ElementsAre(HasSubstr(": 2 normals")));
+}
+
+TEST(ObjMeshTest, AreasAreJudgedAfterRoundingToFloat) {
+  const auto obj = FromText(
+      "v 0 0 0\nv 1 0 0\nv 1.00000001 0 0\nv 0 1 0\n"
+      "v 0.7 0.7 0.7\nv 100.1 100.1 100.1\nv 1e-30 1e-30 1e-30\n"
+      "f 1 2 4\n"    // stays
+      "f 2 3 4\n"    // the same place after rounding
+      "f 5 6 7\n"    // on one line
+      "f 5 6 1\n"    // likewise
+      "f 1 2 3\n");  // likewise
+  ASSERT_TRUE(obj);
+  EXPECT_THAT(obj->mesh.triangles, SizeIs(1));
+  EXPECT_THAT(obj->warnings, ElementsAre(HasSubstr(": 4 triangles")));
+}
+
+TEST(ObjMeshTest, HugeAndTinyTrianglesHaveAnArea) {
+  const auto obj = FromText(
+      "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nv 1e-30 0 0\nv 0 1e-30 0\n"
+      "v 3e38 3e38 -3e38\nv 1e-44 0 0\nv 0 1e-44 0\n"
+      "f 1 2 3\nf 1 4 5\nf 1 2 6\nf 1 7 8\n"
+      "f 1 2 4\nf 1 7 2\n");  // on the x axis: none
+  ASSERT_TRUE(obj);
+  EXPECT_THAT(obj->mesh.triangles, SizeIs(4));
+  EXPECT_THAT(obj->warnings, ElementsAre(HasSubstr(": 2 triangles")));
 }
 
 TEST(ObjMeshTest, DegenerateAndNonFiniteTrianglesAreDropped) {

@@ -69,5 +69,36 @@ TEST(RefractTest, StraightOnAtNormalIncidenceAndForEqualIndices) {
   EXPECT_LT((Refract(d, V3f(0, 1, 0), 1) - d).length(), 1e-6f);
 }
 
+TEST(RefractTest, SlabShiftsByTheClosedForm) {
+  // A ray leaves a slab of thickness d in its old direction, shifted across
+  // it by d sin(i) (1 - cos(i) / sqrt(n^2 - sin^2(i))).
+  const V3f up(0, 1, 0);
+  for (const float sine : {0.1f, 0.5f, 0.9f}) {
+    const float cosine = std::sqrt(1 - sine * sine);
+    const V3f d(sine, -cosine, 0);
+    const V3f inside = Refract(d, up, 1 / 1.5f);
+    EXPECT_LT((Refract(inside, up, 1.5f) - d).length(), 1e-6f);
+    const V3f exit = inside / -inside.y;  // thickness 1
+    const float shift = exit.cross(d).length();
+    EXPECT_NEAR(shift, sine * (1 - cosine / std::sqrt(2.25f - sine * sine)),
+                1e-6f);
+  }
+}
+
+TEST(RefractTest, IntoTheThinnerSideBendsAway) {
+  // 30 degrees inside glass: sin(t) = 0.75.
+  const V3f d(0.5f, -std::sqrt(0.75f), 0);
+  EXPECT_NEAR(Refract(d, V3f(0, 1, 0), 1.5f).x, 0.75f, 1e-6f);
+}
+
+TEST(FresnelDielectricTest, BrewsterInsideIsItsPartnerOutside) {
+  // tan(i) = 1 / n from inside: the same half of the s reflectance.
+  const double n = 1.5;
+  const double cos_i = n / std::sqrt(1 + n * n);
+  const double s = (1 - n * n) / (1 + n * n);
+  EXPECT_NEAR(FresnelDielectric(static_cast<float>(cos_i), 1.5f), s * s / 2,
+              1e-6);
+}
+
 }  // namespace
 }  // namespace rtb

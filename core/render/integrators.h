@@ -1,0 +1,39 @@
+/// @file
+/// From a prepared scene to fragments by the integrator that the options
+/// name, for every backend.
+#pragma once
+
+#include "core/base/check.h"
+#include "core/base/result.h"
+#include "core/render/path.h"
+#include "core/render/plan_renderer.h"
+#include "core/render/whitted.h"
+
+namespace rtb {
+
+/// The names of the integrators.
+inline constexpr const char* kIntegrators = "whitted, path";
+
+/// Success when the options name an integrator that can render the scene.
+Status CheckIntegrator(const Scene& scene, const RenderOptions& options);
+
+/// Renders a plan; CheckIntegrator has passed.
+/// @tparam Tracer answers what Whitted and PathTracer ask.
+template <class Tracer>
+Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
+                     const Scene& scene, const SamplePlan& plan,
+                     const RenderOptions& options, RayCounts* counts) {
+  const int max_depth =
+      options.max_depth >= 0 ? options.max_depth : scene.settings.max_depth;
+  RTB_CHECK_LE(max_depth, kMaxDepth);
+  const CameraFrame camera =
+      options.camera ? *options.camera : CameraAt(scene, options.time);
+  const PlanRenderer renderer(camera, plan, options);
+  if (options.integrator == "path") {
+    return renderer.Render(PathTracer<Tracer>(tracer, shading, max_depth),
+                           counts);
+  }
+  return renderer.Render(Whitted<Tracer>(tracer, shading, max_depth), counts);
+}
+
+}  // namespace rtb
