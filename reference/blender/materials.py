@@ -2,6 +2,7 @@
 
 import bpy
 
+import bumps
 import textures
 from nodes import Graph
 from textures import CENTER, RADIUS  # noqa: F401 (the objects set them)
@@ -29,12 +30,9 @@ class Shader:
         output = self.graph.node("ShaderNodeOutputMaterial",
                                  {"Surface": surface})
         if "bump" in self.material:
-            # A normal that comes from a displacement is the surface's own; one
-            # that a node gives is shadowed where it leans away from that.
-            self.graph.set(output.inputs["Displacement"],
-                           textures.displacement(
-                               self.graph, self.material["bump"],
-                               self.is_sphere, self.maker.images))
+            self.graph.set(output.inputs["Displacement"], bumps.displacement(
+                self.graph, self.material["bump"], self.is_sphere,
+                self.maker.images))
             self.data.cycles.displacement_method = "BUMP"
         # An emissive object is a light for the path integrator alone; a point
         # of an infinite one cannot be chosen by its area.

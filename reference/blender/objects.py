@@ -7,6 +7,7 @@ import bpy
 import mathutils
 
 import arrays
+import bumps
 import materials
 
 # 81,920 triangles.
@@ -96,10 +97,24 @@ class Meshes:
         else:
             mesh = self.plain[shape].copy()
             mesh.materials.clear()
+        self.add_slopes(mesh, shape, material)
         kind = "sphere" if shape == "sphere" else (
             "infinite" if infinite else "finite")
         mesh.materials.append(self.maker.get(material, kind))
         return mesh
+
+    def add_slopes(self, mesh, shape, material):
+        """What a bump map needs of a mesh."""
+        bumped = "bump" in self.description["materials"][material]
+        if shape == "sphere" or not bumped:
+            return
+        if bumps.OFFSET in mesh.attributes:
+            return
+        description = self.description["meshes"][shape]
+        if "uvs" in description:
+            bumps.add_attributes(mesh, arrays.floats(description["positions"]),
+                                 arrays.integers(description["triangles"]),
+                                 arrays.floats(description["uvs"]))
 
 
 def matrix_of(numbers):

@@ -61,8 +61,8 @@ def checker(graph, texture, is_sphere):
     return graph.mix_colors(odd, texture["a"], texture["b"])
 
 
-def sphere_uv(graph):
-    x, y, z = graph.separate(sphere_normal(graph))
+def sphere_uv(graph, normal):
+    x, y, z = graph.separate(normal)
     around = graph.math("ARCTAN2", graph.math("MULTIPLY", z, -1), x)
     u = graph.math("ADD", 0.5, graph.math("DIVIDE", around, 2 * math.pi))
     v = graph.math("ADD", 0.5,
@@ -70,24 +70,20 @@ def sphere_uv(graph):
     return graph.combine(u, v, 0)
 
 
-def image(graph, texture, is_sphere, images, interpolation="Linear"):
-    uv = sphere_uv(graph) if is_sphere else graph.node(
-        "ShaderNodeUVMap", uv_map="uv").outputs[0]
-    scaled = graph.vector("MULTIPLY", uv, (*texture["scale"], 1))
-    node = graph.node("ShaderNodeTexImage", {"Vector": scaled},
-                      interpolation=interpolation, extension="REPEAT",
+def lookup(graph, picture, position):
+    """The bilinear image; `position` has its width and height as units."""
+    node = graph.node("ShaderNodeTexImage", {"Vector": position},
+                      interpolation="Linear", extension="REPEAT",
                       projection="FLAT")
-    node.image = images.get(texture["image"])
+    node.image = picture
     return node.outputs["Color"]
 
 
-def displacement(graph, bump, is_sphere, images):
-    """What bends the normals: a height in units of the world."""
-    height = graph.node("ShaderNodeRGBToBW", {
-        0: image(graph, bump, is_sphere, images, "Cubic")}).outputs[0]
-    return graph.node("ShaderNodeDisplacement", {
-        "Height": height, "Midlevel": 0, "Scale": bump["amount"]},
-        space="WORLD").outputs[0]
+def image(graph, texture, is_sphere, images):
+    uv = sphere_uv(graph, sphere_normal(graph)) if is_sphere else graph.node(
+        "ShaderNodeUVMap", uv_map="uv").outputs[0]
+    return lookup(graph, images.get(texture["image"]),
+                  graph.vector("MULTIPLY", uv, (*texture["scale"], 1)))
 
 
 class Images:

@@ -107,6 +107,9 @@ TEST(BlenderExportTest, RefusesWhatCyclesHasNot) {
   scene.materials[0].texture = CheckerTexture{};
   ExpectRefusal(scene, "`texture` on a dielectric");
   scene.materials[0].texture = {};
+  scene.materials[0].bump = BumpMap{"heights.png", 1};
+  ExpectRefusal(scene, "`bump` of another `type` than lambertian");
+  scene.materials[0].bump = {};
   scene.materials[0].bsdf = Metal{Rgb(0.5f), 0.3};
   ExpectRefusal(scene, "`roughness` of a metal", "whitted");
   EXPECT_TRUE(ExportBlender(scene, 0).has_value());
