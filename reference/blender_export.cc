@@ -62,10 +62,10 @@ Result<Json> MaterialsJson(const Scene& scene, const FlatScene& flat,
   return Json(all);
 }
 
-Json LampsJson(const Scene& scene, double time) {
+Json LampsJson(const Scene& scene, double time, double scale) {
   Json lamps = Json::array();
   for (const Light& light : scene.lights) {
-    Json lamp = BlenderLamp(light, LightOffset(scene, light, time));
+    Json lamp = BlenderLamp(light, LightOffset(scene, light, time), scale);
     if (!lamp.is_null()) lamps.push_back(std::move(lamp));
   }
   return lamps;
@@ -77,11 +77,15 @@ Result<std::string> ExportBlender(const Scene& scene, double time,
                                   const std::string& integrator) {
   RTB_ASSIGN_OR_RETURN(FlatScene flat, Flatten(scene, time));
   RTB_RETURN_IF_ERROR(AddLightShapes(scene, time, FlatPart::kAll, &flat));
-  const CameraFrame camera = CameraAt(scene, time);
+  const double scale = BlenderScale(scene, flat);
+  ScaleScene(scale, &flat);
+  CameraFrame camera = CameraAt(scene, time);
+  camera.position *= scale;
   BlenderImages images;
   Json json = {{"rtbench_blender", 1},
                {"name", scene.name},
                {"time", time},
+               {"scale", scale},
                {"integrator", integrator},
                {"max_depth", scene.settings.max_depth}};
   // The path integrator has no ambient light.
@@ -93,7 +97,7 @@ Result<std::string> ExportBlender(const Scene& scene, double time,
   RTB_ASSIGN_OR_RETURN(json["materials"],
                        MaterialsJson(scene, flat, integrator, &images));
   json["images"] = images.Take();
-  json["lamps"] = LampsJson(scene, time);
+  json["lamps"] = LampsJson(scene, time, scale);
   json.update(BlenderObjects(scene, flat, camera.position));
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
          "\n";

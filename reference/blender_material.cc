@@ -79,11 +79,21 @@ struct TextureWriter {
 /// Lamps: lights without a shape.
 struct LampWriter {
   const V3d& offset;
+  double scale;
+
+  Json At(const V3d& position) const {
+    return BlenderVector((position + offset) * scale);
+  }
+  /// An intensity that gives the same irradiance in the scaled world.
+  Json Scaled(const Rgb& intensity) const {
+    return BlenderColor(intensity * static_cast<float>(scale * scale));
+  }
 
   Json operator()(const PointLight& light) const {
     return {{"type", "point"},
-            {"position", BlenderVector(light.position + offset)},
-            {"intensity", BlenderColor(light.intensity)},
+            {"position", At(light.position)},
+            {"intensity", light.inverse_square ? Scaled(light.intensity)
+                                               : BlenderColor(light.intensity)},
             {"inverse_square", light.inverse_square}};
   }
   Json operator()(const DirectionalLight& light) const {
@@ -93,9 +103,9 @@ struct LampWriter {
   }
   Json operator()(const SpotLight& light) const {
     return {{"type", "spot"},
-            {"position", BlenderVector(light.position + offset)},
+            {"position", At(light.position)},
             {"direction", BlenderVector(light.direction.normalized())},
-            {"intensity", BlenderColor(light.intensity)},
+            {"intensity", Scaled(light.intensity)},
             {"cone", light.cone},
             {"penumbra", light.penumbra}};
   }
@@ -134,8 +144,8 @@ Result<Json> BlenderMaterial(const Scene& scene, const Material& material,
   return json;
 }
 
-Json BlenderLamp(const Light& light, const V3d& offset) {
-  Json json = std::visit(LampWriter{offset}, light.kind);
+Json BlenderLamp(const Light& light, const V3d& offset, double scale) {
+  Json json = std::visit(LampWriter{offset, scale}, light.kind);
   if (!json.is_null()) json["id"] = light.id;
   return json;
 }

@@ -17,8 +17,10 @@ Result<nlohmann::ordered_json> BlenderMaterial(const Scene& scene,
                                                const std::string& integrator,
                                                BlenderImages* images);
 
-/// A light without a shape, moved by `offset`; null for one that has a shape.
-nlohmann::ordered_json BlenderLamp(const Light& light, const V3d& offset);
+/// A light without a shape, moved by `offset`, in a world that is `scale`
+/// times as large; null for one that has a shape.
+nlohmann::ordered_json BlenderLamp(const Light& light, const V3d& offset,
+                                   double scale);
 
 /// The material of the shape of a light: it glows on its front.
 nlohmann::ordered_json BlenderLightMaterial(const Light& light);

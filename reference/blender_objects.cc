@@ -60,6 +60,8 @@ class ObjectWriter {
     Place(place->second, use.object);
   }
 
+  void LastIsInfinite() { objects_.back()["infinite"] = true; }
+
   Json Take() {
     return {{"meshes", std::move(meshes_)}, {"objects", std::move(objects_)}};
   }
@@ -80,19 +82,6 @@ class ObjectWriter {
   Json meshes_ = Json::array();
   Json objects_ = Json::array();
 };
-
-/// The box around a placed mesh.
-Bounds BoundsOf(const Scene& scene, const FlatScene& flat,
-                const FlatMesh& use) {
-  const auto& map =
-      flat.objects[static_cast<std::size_t>(use.object)].object_to_world;
-  Bounds bounds;
-  for (const V3f& p :
-       scene.meshes[static_cast<std::size_t>(use.mesh)].positions) {
-    bounds.Add(map.Point(V3d(p)));
-  }
-  return bounds;
-}
 
 /// The size of all that is finite, with the camera and its nearest points on
 /// the planes.
@@ -128,6 +117,7 @@ Json BlenderObjects(const Scene& scene, const FlatScene& flat,
   const double reach = flat.planes.empty() ? 1 : ReachOf(scene, flat, camera);
   for (const FlatPlane& plane : flat.planes) {
     writer.Add(BlenderPlane(flat, plane, camera, reach), plane.object);
+    writer.LastIsInfinite();
   }
   const auto& triangles = flat.triangles;
   for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {

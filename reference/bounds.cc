@@ -57,6 +57,18 @@ Bounds BoundsOf(const FlatTriangle& triangle) {
   return bounds;
 }
 
+Bounds BoundsOf(const Scene& scene, const FlatScene& flat,
+                const FlatMesh& use) {
+  const auto& map =
+      flat.objects[static_cast<std::size_t>(use.object)].object_to_world;
+  Bounds bounds;
+  for (const V3f& p :
+       scene.meshes[static_cast<std::size_t>(use.mesh)].positions) {
+    bounds.Add(map.Point(V3d(p)));
+  }
+  return bounds;
+}
+
 bool Overlap(const Bounds& a, const Bounds& b) {
   for (int i = 0; i < 3; ++i) {
     if (a.min[i] >= b.max[i] || b.min[i] >= a.max[i]) return false;

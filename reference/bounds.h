@@ -24,6 +24,7 @@ struct Bounds {
 Bounds BoundsOf(const FlatSphere& sphere);
 Bounds BoundsOf(const FlatDisk& disk);
 Bounds BoundsOf(const FlatTriangle& triangle);
+Bounds BoundsOf(const Scene& scene, const FlatScene& flat, const FlatMesh& use);
 /// @}
 
 /// Whether the insides of two boxes meet.

@@ -78,23 +78,24 @@ std::string RequestHash(const Job& job, const ReferenceRequest& request) {
 struct Rendering {
   Image image;
   double seconds = 0;
-  std::vector<CyclesPass> passes;
+  std::size_t passes = 0;
   std::vector<std::string> first_command;
 };
 
 Result<Rendering> RenderPasses(const PassRenderer& renderer,
                                const ReferenceRequest& request,
                                const Progress& progress) {
+  const std::vector<CyclesPass> passes = PassesOf(request);
   Rendering rendering;
-  rendering.passes = PassesOf(request);
-  rendering.first_command = renderer.Command(rendering.passes.front());
+  rendering.passes = passes.size();
+  rendering.first_command = renderer.Command(passes.front());
   ImageMean mean(request.width, request.height);
-  const std::string count = std::to_string(rendering.passes.size());
-  for (const CyclesPass& pass : rendering.passes) {
+  const std::string count = std::to_string(passes.size());
+  for (const CyclesPass& pass : passes) {
     if (progress) {
-      progress(static_cast<double>(pass.index) /
-                   static_cast<double>(rendering.passes.size()),
-               "pass " + std::to_string(pass.index + 1) + " of " + count);
+      progress(
+          static_cast<double>(pass.index) / static_cast<double>(passes.size()),
+          "pass " + std::to_string(pass.index + 1) + " of " + count);
     }
     RTB_ASSIGN_OR_RETURN(const double seconds, renderer.Render(pass));
     rendering.seconds += seconds;
@@ -109,8 +110,6 @@ Result<Rendering> RenderPasses(const PassRenderer& renderer,
 nlohmann::ordered_json Provenance(const Scene& scene,
                                   const ReferenceRequest& request,
                                   const Job& job, const Rendering& rendering) {
-  nlohmann::ordered_json seeds = nlohmann::ordered_json::array();
-  for (const CyclesPass& pass : rendering.passes) seeds.push_back(pass.seed);
   return {
       {"schema", kProvenanceSchema},
       {"renderer", "cycles"},
@@ -130,7 +129,7 @@ nlohmann::ordered_json Provenance(const Scene& scene,
                        ? "every ray through its pixel's center"
                        : "box over the pixel, linear light"}}},
       {"command", JoinedWords(rendering.first_command)},
-      {"pass_seeds", std::move(seeds)},
+      {"passes", rendering.passes},
       {"date", UtcNow()},
       {"wall_seconds", rendering.seconds},
   };

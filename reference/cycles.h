@@ -14,12 +14,12 @@ inline constexpr int kCyclesSpp = 1024;
 /// Samples of one program run.
 inline constexpr int kCyclesPassSpp = 64;
 
-/// Highest seed: the seeds of its passes, 1024 at most, stay below 2^31.
+/// Highest seed.
 inline constexpr int kMaxCyclesSeed = 1'000'000;
 
 /// Renders a reference with Blender Cycles in passes of at most
-/// kCyclesPassSpp samples, each with random numbers of its own, that survive
-/// an interruption (a second call with the same request continues); averages
+/// kCyclesPassSpp samples, each the next of one sequence, that survive an
+/// interruption (a second call with the same request continues); averages
 /// them in double precision, and writes a half-float EXR and a provenance
 /// JSON, both atomically. No denoiser, no clamping, no adaptive sampling.
 /// @return kMissing (with how to get it) when blender is not installed.

@@ -10,9 +10,6 @@
 namespace rtb {
 namespace {
 
-/// Passes that one seed of ours may have.
-constexpr int kPassesPerSeed = 1024;
-
 constexpr char kScript[] = "render.py";
 
 }  // namespace
@@ -21,7 +18,7 @@ std::vector<CyclesPass> PassesOf(const ReferenceRequest& request) {
   std::vector<CyclesPass> passes;
   for (int done = 0, i = 0; done < request.spp; ++i) {
     const int spp = std::min(kCyclesPassSpp, request.spp - done);
-    passes.push_back({i, spp, request.seed * kPassesPerSeed + i});
+    passes.push_back({i, spp, done});
     done += spp;
   }
   return passes;
@@ -44,7 +41,8 @@ std::vector<std::string> PassRenderer::Command(const CyclesPass& pass,
         "--width=" + std::to_string(request_.width),
         "--height=" + std::to_string(request_.height),
         "--spp=" + std::to_string(pass.spp),
-        "--seed=" + std::to_string(pass.seed)}) {
+        "--first=" + std::to_string(pass.first),
+        "--seed=" + std::to_string(request_.seed)}) {
     argv.push_back(word);
   }
   if (request_.pixel_centers) argv.push_back("--pixel-centers");

@@ -17,11 +17,12 @@ namespace rtb {
 struct CyclesPass {
   int index = 0;
   int spp = 0;
-  int seed = 0;  ///< Cycles' own.
+  int first = 0;  ///< The first of its samples in Cycles' sequence.
 };
 
 /// The passes of a request: kCyclesPassSpp samples each, the last one fewer
-/// where they do not add up.
+/// where they do not add up. Together they are the samples of a single run:
+/// one sequence converges faster than many short ones.
 std::vector<CyclesPass> PassesOf(const ReferenceRequest& request);
 
 /// Renders passes of `scene.json` in a work folder, where finished ones stay.

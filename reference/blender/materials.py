@@ -15,9 +15,10 @@ PRINCIPLED_SPECULAR = 0.719
 class Shader:
     """One material for one kind of shape."""
 
-    def __init__(self, material, is_sphere, maker):
+    def __init__(self, material, kind, maker):
         self.material = material
-        self.is_sphere = is_sphere
+        self.is_sphere = kind == "sphere"
+        self.is_finite = kind != "infinite"
         self.maker = maker
         self.data = bpy.data.materials.new(material["id"])
         self.graph = Graph(self.data)
@@ -26,10 +27,11 @@ class Shader:
     def build(self):
         surface = getattr(self, self.material["type"])()
         self.graph.node("ShaderNodeOutputMaterial", {"Surface": surface})
-        # An emissive object is a light for the path integrator alone.
-        self.data.cycles.sample_as_light = (
-            self.material["type"] in ("light", "emissive")
-            and not (self.whitted and self.material["type"] == "emissive"))
+        # An emissive object is a light for the path integrator alone; a point
+        # of an infinite one cannot be chosen by its area.
+        self.data.cycles.sample_as_light = self.material["type"] == "light" or (
+            self.material["type"] == "emissive" and not self.whitted
+            and self.is_finite)
         return self.data
 
     def color(self):
@@ -124,16 +126,17 @@ class Shader:
 
 
 class Maker:
-    """Blender's materials, each made once for spheres and once for others."""
+    """Blender's materials, each made once for every kind of shape: `sphere`,
+    `finite` or `infinite`."""
 
     def __init__(self, description):
         self.description = description
         self.images = textures.Images(description["images"])
         self.made = {}
 
-    def get(self, index, is_sphere):
-        key = index, is_sphere
+    def get(self, index, kind):
+        key = index, kind
         if key not in self.made:
             material = self.description["materials"][index]
-            self.made[key] = Shader(material, is_sphere, self).build()
+            self.made[key] = Shader(material, kind, self).build()
         return self.made[key]

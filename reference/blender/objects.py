@@ -82,12 +82,13 @@ class Meshes:
         self.maker = materials.Maker(description)
 
     def get(self, item):
-        key = item.get("mesh", "sphere"), item["material"]
+        key = (item.get("mesh", "sphere"), item["material"],
+               item.get("infinite", False))
         if key not in self.with_material:
             self.with_material[key] = self.make(*key)
         return self.with_material[key]
 
-    def make(self, shape, material):
+    def make(self, shape, material, infinite):
         if shape not in self.plain:
             mesh = unit_sphere() if shape == "sphere" else mesh_of(
                 self.description["meshes"][shape], f"mesh{shape}")
@@ -95,7 +96,9 @@ class Meshes:
         else:
             mesh = self.plain[shape].copy()
             mesh.materials.clear()
-        mesh.materials.append(self.maker.get(material, shape == "sphere"))
+        kind = "sphere" if shape == "sphere" else (
+            "infinite" if infinite else "finite")
+        mesh.materials.append(self.maker.get(material, kind))
         return mesh
 
 
@@ -108,12 +111,22 @@ def matrix_of(numbers):
         (0, 0, 0, 1)))
 
 
+def parent_of_all(scene):
+    """Lets objects have any matrix. One that is given an object itself loses
+    its shear, for it is kept as a position, angles and scales."""
+    parent = bpy.data.objects.new("world", None)
+    scene.collection.objects.link(parent)
+    return parent
+
+
 def build(scene, description):
     meshes = Meshes(description)
+    parent = parent_of_all(scene)
     whitted = description["integrator"] == "whitted"
     for number, item in enumerate(description["objects"]):
         placed = bpy.data.objects.new(f"object{number}", meshes.get(item))
-        placed.matrix_world = matrix_of(item["matrix"])
+        placed.parent = parent
+        placed.matrix_parent_inverse = matrix_of(item["matrix"])
         if "sphere" in item:
             placed[materials.CENTER] = item["sphere"][:3]
             placed[materials.RADIUS] = item["sphere"][3]

@@ -2,7 +2,7 @@
 
     blender -b --factory-startup --python-exit-code 1 --python render.py -- \
         scene.json --output=image.exr [--width=960] [--height=640] [--spp=64]
-        [--seed=0] [--pixel-centers]
+        [--first=0] [--seed=0] [--pixel-centers]
 
 Writes linear radiance as float EXR. Needs Blender 3.4 and the modules beside
 this file; no numpy.
@@ -31,6 +31,8 @@ def arguments():
     parser.add_argument("--width", type=int, default=960)
     parser.add_argument("--height", type=int, default=640)
     parser.add_argument("--spp", type=int, default=64)
+    parser.add_argument("--first", type=int, default=0,
+                        help="where in the sequence of samples to begin")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--pixel-centers", action="store_true")
     return parser.parse_args(own)
@@ -46,6 +48,8 @@ def set_sampling(cycles, args):
     """Plain path tracing: nothing that trades bias for noise."""
     cycles.device = "CPU"
     cycles.samples = args.spp
+    cycles.sampling_pattern = "PROGRESSIVE_MULTI_JITTER"
+    cycles.sample_offset = args.first
     cycles.seed = args.seed
     cycles.use_animated_seed = False
     cycles.use_adaptive_sampling = False
