@@ -112,19 +112,15 @@ class PathTracer {
                              Path* path, RayCounts* counts) const {
     if (!HasNonDelta(at.bsdf)) return;
     const EmitterSample light =
-        SampleEmitter(shading_, at.point.position, V3f(u.x, u.y, u.z));
+        SampleEmitter(shading_, at.point, V3f(u.x, u.y, u.z));
     if (light.irradiance == Rgb(0)) return;
     const Scattered f =
         at.EvaluateWithPdf(shading_.ggx_energy, light.direction);
     if (f.value == Rgb(0)) return;
     float weight = 1;
     if (light.pdf > 0 && !last) weight = PowerHeuristic(light.pdf, f.pdf);
-    Ray shadow;
-    shadow.origin = LeavingOrigin(at.point, light.direction);
-    shadow.direction = light.direction;
-    shadow.t_max = light.reach;
     ++counts->shadow;
-    if (tracer_.Occluded(shadow)) return;
+    if (tracer_.Occluded(light.shadow)) return;
     path->radiance += path->throughput * f.value * light.irradiance * weight;
   }
 
