@@ -10,6 +10,7 @@
 #include "core/color/luminance.h"
 #include "core/math/discrete.h"
 #include "core/scene/animation.h"
+#include "core/shading/light_choice.h"
 #include "core/shading/light_make.h"
 #include "core/shading/shading_scene.h"
 
@@ -163,7 +164,7 @@ void PlaceLights(const Scene& scene, double time, const Geometry& geometry,
     powers.push_back(LightPower(light, radius));
   }
   powers.push_back(BackgroundPower(*shading, radius));
-  shading->light_cdf = MakeCdf(powers);
+  shading->light_cdf = MakeCdf(ChoiceWeights(powers, scene.lights.size()));
 }
 
 }  // namespace rtb

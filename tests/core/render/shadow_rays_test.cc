@@ -47,5 +47,19 @@ TEST(ShadowRaysTest, AreaLightsDoNotShadowThemselvesOverLargeFloors) {
   }
 }
 
+// A lamp beside a sun that falls on a large scene has next to no share of the
+// power, yet is what lights the place.
+TEST(ShadowRaysTest, NoLightIsTooWeakToBeChosen) {
+  SceneBuilder b = Floor(1e5);
+  b.AddLight(DirectionalLight{V3d(0, -1, 1e-3), Rgb(1)});
+  b.AddLight(PointLight{V3d(0, 1, 0), Rgb(1), true});
+  // A board between the sun and the place, above the lamp.
+  b.Add(Quad{V3d(-1, 2, -1), {V3d(2, 0, 0), V3d(0, 0, 2)}}, 0);
+  b.Look(V3d(2, 0.5, 0), V3d(0));
+  const Estimate e = CenterEstimate(b, By("path", 0, 64));
+  EXPECT_NEAR(e.mean, 1 / kPiExact, 5 * e.error + 1e-4);
+  EXPECT_LT(e.error, 0.05);
+}
+
 }  // namespace
 }  // namespace rtb
