@@ -37,7 +37,9 @@ TEST(DepthTest, IntegratingSphereSumsItsSeries) {
       // Roulette keeps a whole number of the 256 rays, the same for each seed.
       const double kept = depth > 3 ? term / albedo / 256 : 0;
       EXPECT_NEAR(e.mean, sum, 4 * e.error + 2e-5 * sum + kept) << depth;
-      if (depth <= 3) EXPECT_LT(e.error, 1e-5) << depth;
+      if (depth <= 3) {
+        EXPECT_LT(e.error, 1e-5) << depth;
+      }
     }
   }
 }
@@ -180,7 +182,9 @@ TEST(DepthTest, DirectLightIsTheSameByBothIntegrators) {
     }
     EXPECT_LE(off, 2) << light.index();
     // With 15 degrees of freedom each, z^2 has the mean 30 / 28 = 1.07.
-    if (noisy > 50) EXPECT_LT(squares / noisy, 1.5) << light.index();
+    if (noisy > 50) {
+      EXPECT_LT(squares / noisy, 1.5) << light.index();
+    }
   }
 }
 
