@@ -26,7 +26,8 @@ TEST(LightMakeTest, PathsMoveWhatHasAPlace) {
 TEST(LightMakeTest, AnglesBecomeRadiansAndSamplesPass) {
   const Light spot{
       "", SpotLight{V3d(0), V3d(0, -1, 0), Rgb(1), 60, 30}, kNone, {}};
-  EXPECT_FLOAT_EQ(ToLightData(spot, V3d(0)).cone, static_cast<float>(kPiExact / 3));
+  EXPECT_FLOAT_EQ(ToLightData(spot, V3d(0)).cone,
+                  static_cast<float>(kPiExact / 3));
   EXPECT_FLOAT_EQ(ToLightData(spot, V3d(0)).penumbra,
                   static_cast<float>(kPiExact / 6));
   const Light sphere{"", SphereLight{V3d(0), 1, Rgb(1), 16}, kNone, {}};
@@ -54,10 +55,12 @@ TEST(LightMakeTest, PowerIsTheFlux) {
     return LightPower(ToLightData({"", light, kNone, {}}, V3d(0)), 2);
   };
   EXPECT_NEAR(power(PointLight{V3d(0), Rgb(5), true}), 20 * kPiExact, 1e-4);
-  EXPECT_NEAR(power(DirectionalLight{V3d(0, 1, 0), Rgb(5)}), 20 * kPiExact, 1e-4);
+  EXPECT_NEAR(power(DirectionalLight{V3d(0, 1, 0), Rgb(5)}), 20 * kPiExact,
+              1e-4);
   EXPECT_NEAR(power(SpotLight{V3d(0), V3d(0, 1, 0), Rgb(5), 60, 0}),
               5 * 2 * kPiExact * 0.5, 1e-4);
-  EXPECT_NEAR(power(SphereLight{V3d(0), 3, Rgb(5)}), 5 * kPiExact * 36 * kPiExact, 1e-3);
+  EXPECT_NEAR(power(SphereLight{V3d(0), 3, Rgb(5)}),
+              5 * kPiExact * 36 * kPiExact, 1e-3);
   EXPECT_NEAR(power(QuadLight{V3d(0), {V3d(2, 0, 0), V3d(0, 0, 3)}, Rgb(5)}),
               5 * kPiExact * 6, 1e-4);
   const LightData triangle =

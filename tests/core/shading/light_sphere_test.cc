@@ -29,8 +29,8 @@ double RingQuadrature(double rim, double tilt) {
 // E = pi L (r / d)^2 cos while the whole sphere is above the horizon.
 TEST(SphereLightTest, IrradianceOfAFullyVisibleSphere) {
   const LightData sphere = MakeSphere(V3d(3, 4, 0), 2, Rgb(7));
-  EXPECT_NEAR(Irradiance(sphere, V3f(0), kUp, 64), kPiExact * 7 * (4 / 25.0) * 0.8,
-              1e-3);
+  EXPECT_NEAR(Irradiance(sphere, V3f(0), kUp, 64),
+              kPiExact * 7 * (4 / 25.0) * 0.8, 1e-3);
   const LightData above = MakeSphere(V3d(0, 10, 0), 9.9, Rgb(1));
   EXPECT_NEAR(Irradiance(above, V3f(0), kUp, 64), kPiExact * 0.9801, 1e-3);
 }
