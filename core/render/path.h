@@ -112,7 +112,7 @@ class PathTracer {
                              Path* path, RayCounts* counts) const {
     if (!HasNonDelta(at.bsdf)) return;
     const EmitterSample light =
-        SampleEmitter(shading_, at.point.position, V3f(u.x, u.y, u.z));
+        SampleEmitter(shading_, at.point, V3f(u.x, u.y, u.z));
     if (light.irradiance == Rgb(0)) return;
     const Scattered f =
         at.EvaluateWithPdf(shading_.ggx_energy, light.direction);

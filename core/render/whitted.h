@@ -156,7 +156,7 @@ class Whitted {
     Ray shadow;
     shadow.origin = LeavingOrigin(at.point, at.geometric);
     shadow.direction = sample.direction;
-    shadow.t_max = ShadowReach(light, at.point.position, sample);
+    shadow.t_max = ShadowReach(light, at.point, sample);
     ++counts->shadow;
     return response * sample.irradiance * tracer_.Transmittance(shadow);
   }

@@ -25,10 +25,11 @@ struct EmitterSample {
   float pdf = 0;      ///< Per solid angle; 0 for lights without extent.
 };
 
-/// One emitter as seen from `position`.
+/// One emitter as seen from a point of a surface.
 /// @param u uniforms; z chooses the emitter.
 RTB_HD inline EmitterSample SampleEmitter(const ShadingView& shading,
-                                          const V3f& position, const V3f& u) {
+                                          const SurfacePoint& from,
+                                          const V3f& u) {
   const DiscreteSample choice =
       SampleDiscrete(shading.light_cdf, shading.light_count + 1, u.z);
   EmitterSample result;
@@ -43,9 +44,9 @@ RTB_HD inline EmitterSample SampleEmitter(const ShadingView& shading,
     return result;
   }
   const LightData& light = shading.lights[choice.index];
-  const LightSample sample = SampleLight(light, position, V2f(u.x, u.y));
+  const LightSample sample = SampleLight(light, from.position, V2f(u.x, u.y));
   result.direction = sample.direction;
-  result.reach = ShadowReach(light, position, sample);
+  result.reach = ShadowReach(light, from, sample);
   result.irradiance = sample.irradiance / choice.probability;
   result.pdf = sample.pdf * choice.probability;
   return result;
