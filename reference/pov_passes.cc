@@ -1,35 +1,19 @@
-#include "reference/pov_bands.h"
+#include "reference/pov_passes.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "reference/work_folder.h"
 
 namespace rtb {
-namespace {
 
-constexpr double kRaysPerBand = 2e6;
-
-/// The mean of the n x n rays of pixel (x, y).
-Rgb PixelMean(const Image& rays, int x, int y, int n) {
-  V3d sum(0);
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) sum += V3d(rays.at(x * n + i, y * n + j));
+std::vector<PovPass> PassesOf(int side) {
+  std::vector<PovPass> passes;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      passes.push_back({row, column});
+    }
   }
-  return Rgb(sum / (static_cast<double>(n) * n));
-}
-
-}  // namespace
-
-std::vector<RowBand> BandsOf(const ReferenceRequest& request) {
-  const double rays_per_row = static_cast<double>(request.width) * request.spp;
-  const int rows = std::clamp(static_cast<int>(kRaysPerBand / rays_per_row), 1,
-                              request.height);
-  std::vector<RowBand> bands;
-  for (int begin = 0; begin < request.height; begin += rows) {
-    bands.push_back({begin, std::min(begin + rows, request.height)});
-  }
-  return bands;
+  return passes;
 }
 
 Result<int> GridSide(const ReferenceRequest& request) {
@@ -50,22 +34,23 @@ Result<int> GridSide(const ReferenceRequest& request) {
   return side;
 }
 
-std::string BandRenderer::NameOf(const RowBand& band) const {
-  return "rows_" + std::to_string(band.begin) + "_" + std::to_string(band.end);
+std::string PassRenderer::NameOf(const PovPass& pass) {
+  return "pass_" + std::to_string(pass.row) + "_" + std::to_string(pass.column);
 }
 
-std::vector<std::string> BandRenderer::Command(const RowBand& band,
+std::vector<std::string> PassRenderer::Command(const PovPass& pass,
                                                std::string output) const {
-  if (output.empty()) output = NameOf(band) + ".exr";
+  if (output.empty()) output = NameOf(pass) + ".exr";
   return {"povray",
           "+Iscene.pov",
           "+O" + output,
           "+FE",  // EXR, half
-          "+W" + std::to_string(request_.width * side_),
-          "+H" + std::to_string((band.end - band.begin) * side_),
-          "Declare=BandRows=" + std::to_string(request_.height),
-          "Declare=BandBegin=" + std::to_string(band.begin),
-          "Declare=BandEnd=" + std::to_string(band.end),
+          "+W" + std::to_string(request_.width),
+          "+H" + std::to_string(request_.height),
+          "Declare=PassSide=" + std::to_string(side_),
+          "Declare=PassRow=" + std::to_string(pass.row),
+          "Declare=PassColumn=" + std::to_string(pass.column),
+          "Declare=Emitters=" + std::to_string(request_.emitters),
           "+Q9",  // every feature
           "-A",   // no antialiasing: one ray through each center
           "-UA",  // no alpha
@@ -77,25 +62,16 @@ std::vector<std::string> BandRenderer::Command(const RowBand& band,
           "-GS"};
 }
 
-Result<double> BandRenderer::Render(const RowBand& band) const {
+Result<double> PassRenderer::Render(const PovPass& pass) const {
   // POV-Ray's own restrictions let it write only below its folder and /tmp.
-  return MakePiece(folder_, NameOf(band), [&](const std::string& output) {
-    return RunRenderer(Command(band, output), folder_,
+  return MakePiece(folder_, NameOf(pass), [&](const std::string& output) {
+    return RunRenderer(Command(pass, output), folder_,
                        (folder_ / "scene.pov").string());
   });
 }
 
-Result<Image> BandRenderer::Averaged(const RowBand& band) const {
-  Image mean(request_.width, band.end - band.begin);
-  RTB_ASSIGN_OR_RETURN(const Image rays,
-                       ReadPiece(folder_, NameOf(band), mean.width() * side_,
-                                 mean.height() * side_));
-  for (int y = 0; y < mean.height(); ++y) {
-    for (int x = 0; x < mean.width(); ++x) {
-      mean.at(x, y) = PixelMean(rays, x, y, side_);
-    }
-  }
-  return mean;
+Result<Image> PassRenderer::Read(const PovPass& pass) const {
+  return ReadPiece(folder_, NameOf(pass), request_.width, request_.height);
 }
 
 }  // namespace rtb

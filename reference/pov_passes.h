@@ -1,6 +1,7 @@
 /// @file
-/// A POV-Ray rendering cut into bands of rows, each a program run of its own,
-/// so that an interrupted reference can be continued.
+/// A POV-Ray rendering cut into passes, each a program run of its own, so that
+/// an interrupted reference can be continued and that area lights are sampled
+/// elsewhere in each.
 #pragma once
 
 #include <filesystem>
@@ -13,42 +14,42 @@
 
 namespace rtb {
 
-/// Rows [begin, end) of the finished picture.
-struct RowBand {
-  int begin = 0;
-  int end = 0;
+/// One ray through every pixel, at the center of a cell of the n x n grid that
+/// divides each.
+struct PovPass {
+  int row = 0;
+  int column = 0;
 };
 
-/// The bands of a request, from the top: as many rows each as hold about two
-/// million rays, at least one.
-std::vector<RowBand> BandsOf(const ReferenceRequest& request);
+/// The passes of a request whose grid has `side` x `side` cells.
+std::vector<PovPass> PassesOf(int side);
 
 /// The side n of the n x n grid of rays in a pixel; kBadInput when `spp` is
 /// not a square number or the size is not positive.
 Result<int> GridSide(const ReferenceRequest& request);
 
-/// Renders bands of `scene.pov` in a work folder, where finished ones stay.
-class BandRenderer {
+/// Renders passes of `scene.pov` in a work folder, where finished ones stay.
+class PassRenderer {
  public:
   /// @param side n of the n x n rays per pixel.
-  BandRenderer(std::filesystem::path folder, const ReferenceRequest& request,
+  PassRenderer(std::filesystem::path folder, const ReferenceRequest& request,
                int side)
       : folder_(std::move(folder)), request_(request), side_(side) {}
 
-  /// Renders a band unless it lies finished in the folder.
+  /// Renders a pass unless it lies finished in the folder.
   /// @return the seconds that the rendering took, now or then.
-  Result<double> Render(const RowBand& band) const;
+  Result<double> Render(const PovPass& pass) const;
 
-  /// The finished band's pixels, each the mean of its rays in linear light.
-  Result<Image> Averaged(const RowBand& band) const;
+  /// A finished pass, in linear light.
+  Result<Image> Read(const PovPass& pass) const;
 
-  /// The command line for a band, as run inside the folder.
-  /// @param output the file it writes; empty = the finished band.
-  std::vector<std::string> Command(const RowBand& band,
+  /// The command line for a pass, as run inside the folder.
+  /// @param output the file it writes; empty = the finished pass.
+  std::vector<std::string> Command(const PovPass& pass,
                                    std::string output = "") const;
 
  private:
-  std::string NameOf(const RowBand& band) const;
+  static std::string NameOf(const PovPass& pass);
 
   std::filesystem::path folder_;
   ReferenceRequest request_;
