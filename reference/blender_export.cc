@@ -40,7 +40,7 @@ struct BackgroundWriter {
 /// Materials that objects have; null for the others, which may be ones that
 /// cannot be exported.
 Result<Json> MaterialsJson(const Scene& scene, const FlatScene& flat,
-                           const std::string& integrator,
+                           const std::string& integrator, double scale,
                            BlenderImages* images) {
   std::vector<Json> all(scene.materials.size() + 1 + scene.lights.size());
   for (const FlatObject& object : flat.objects) {
@@ -56,8 +56,8 @@ Result<Json> MaterialsJson(const Scene& scene, const FlatScene& flat,
         object.material == kNone
             ? Material{"default", Lambertian{}, {}, {}, {}}
             : scene.materials[static_cast<std::size_t>(object.material)];
-    RTB_ASSIGN_OR_RETURN(json,
-                         BlenderMaterial(scene, material, integrator, images));
+    RTB_ASSIGN_OR_RETURN(
+        json, BlenderMaterial(scene, material, integrator, scale, images));
   }
   return Json(all);
 }
@@ -95,7 +95,7 @@ Result<std::string> ExportBlender(const Scene& scene, double time,
   RTB_ASSIGN_OR_RETURN(json["background"], std::visit(BackgroundWriter{&images},
                                                       scene.background.kind));
   RTB_ASSIGN_OR_RETURN(json["materials"],
-                       MaterialsJson(scene, flat, integrator, &images));
+                       MaterialsJson(scene, flat, integrator, scale, &images));
   json["images"] = images.Take();
   json["lamps"] = LampsJson(scene, time, scale);
   json.update(BlenderObjects(scene, flat, camera.position));

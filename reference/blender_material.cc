@@ -43,7 +43,9 @@ struct MaterialWriter {
 /// What of a material Cycles has no counterpart for; empty = nothing.
 std::string Inexpressible(const Material& material,
                           const std::string& integrator) {
-  if (material.bump) return "`bump`";
+  if (material.bump && !std::holds_alternative<Lambertian>(material.bsdf)) {
+    return "`bump` of another `type` than lambertian";
+  }
   if (std::holds_alternative<Plastic>(material.bsdf)) return "`type: plastic`";
   if (std::holds_alternative<Phong>(material.bsdf)) return "`type: phong`";
   const bool textured =
@@ -75,6 +77,18 @@ struct TextureWriter {
                 {"scale", {texture.scale.x, texture.scale.y}}};
   }
 };
+
+/// A bump map lies as the material's texture does.
+Result<Json> BumpJson(const Material& material, double scale,
+                      BlenderImages* images) {
+  const auto* texture = std::get_if<ImageTexture>(&material.texture);
+  const V2d repeat = texture ? texture->scale : V2d(1, 1);
+  RTB_ASSIGN_OR_RETURN(const int image,
+                       images->AddHeights(material.bump->file));
+  return Json{{"image", image},
+              {"scale", {repeat.x, repeat.y}},
+              {"amount", material.bump->amount * scale}};
+}
 
 /// Lamps: lights without a shape.
 struct LampWriter {
@@ -126,7 +140,7 @@ struct RadianceOf {
 }  // namespace
 
 Result<Json> BlenderMaterial(const Scene& scene, const Material& material,
-                             const std::string& integrator,
+                             const std::string& integrator, double scale,
                              BlenderImages* images) {
   const std::string what = Inexpressible(material, integrator);
   if (!what.empty()) {
@@ -141,6 +155,9 @@ Result<Json> BlenderMaterial(const Scene& scene, const Material& material,
   RTB_ASSIGN_OR_RETURN(const Json texture,
                        std::visit(TextureWriter{images}, material.texture));
   if (!texture.is_null()) json["texture"] = texture;
+  if (material.bump) {
+    RTB_ASSIGN_OR_RETURN(json["bump"], BumpJson(material, scale, images));
+  }
   return json;
 }
 

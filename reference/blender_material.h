@@ -10,11 +10,12 @@
 
 namespace rtb {
 
-/// A material.
+/// A material, in a world that is `scale` times as large.
 /// @return an Error naming what Cycles cannot express.
 Result<nlohmann::ordered_json> BlenderMaterial(const Scene& scene,
                                                const Material& material,
                                                const std::string& integrator,
+                                               double scale,
                                                BlenderImages* images);
 
 /// A light without a shape, moved by `offset`, in a world that is `scale`

@@ -26,7 +26,16 @@ class Shader:
 
     def build(self):
         surface = getattr(self, self.material["type"])()
-        self.graph.node("ShaderNodeOutputMaterial", {"Surface": surface})
+        output = self.graph.node("ShaderNodeOutputMaterial",
+                                 {"Surface": surface})
+        if "bump" in self.material:
+            # A normal that comes from a displacement is the surface's own; one
+            # that a node gives is shadowed where it leans away from that.
+            self.graph.set(output.inputs["Displacement"],
+                           textures.displacement(
+                               self.graph, self.material["bump"],
+                               self.is_sphere, self.maker.images))
+            self.data.cycles.displacement_method = "BUMP"
         # An emissive object is a light for the path integrator alone; a point
         # of an infinite one cannot be chosen by its area.
         self.data.cycles.sample_as_light = self.material["type"] == "light" or (

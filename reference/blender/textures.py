@@ -70,15 +70,24 @@ def sphere_uv(graph):
     return graph.combine(u, v, 0)
 
 
-def image(graph, texture, is_sphere, images):
+def image(graph, texture, is_sphere, images, interpolation="Linear"):
     uv = sphere_uv(graph) if is_sphere else graph.node(
         "ShaderNodeUVMap", uv_map="uv").outputs[0]
     scaled = graph.vector("MULTIPLY", uv, (*texture["scale"], 1))
     node = graph.node("ShaderNodeTexImage", {"Vector": scaled},
-                      interpolation="Linear", extension="REPEAT",
+                      interpolation=interpolation, extension="REPEAT",
                       projection="FLAT")
     node.image = images.get(texture["image"])
     return node.outputs["Color"]
+
+
+def displacement(graph, bump, is_sphere, images):
+    """What bends the normals: a height in units of the world."""
+    height = graph.node("ShaderNodeRGBToBW", {
+        0: image(graph, bump, is_sphere, images, "Cubic")}).outputs[0]
+    return graph.node("ShaderNodeDisplacement", {
+        "Height": height, "Midlevel": 0, "Scale": bump["amount"]},
+        space="WORLD").outputs[0]
 
 
 class Images:
