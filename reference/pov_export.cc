@@ -18,40 +18,11 @@ Error CannotExpress(const Scene& scene, const SourceMark& mark,
                   "use another reference, e.g. --reference=self");
 }
 
-/// What of a mesh is missing in the FlatScene; empty = nothing.
-std::string MissingOf(const Scene& scene, const Mesh& mesh) {
-  if (mesh.subdivide != 0) return "`subdivide`, which it does not have";
-  if (!mesh.smooth || mesh.data == kNone) return "";
-  const auto& data = scene.meshes[static_cast<std::size_t>(mesh.data)];
-  return data.normals.empty() ? ""
-                              : "`smooth: true` of a mesh with normals as ours";
-}
-
-/// Refuses what of the meshes at and below an object is not exported.
-Status CheckMeshes(const Scene& scene, const Object& object) {
-  if (const auto* mesh = std::get_if<Mesh>(&object.shape)) {
-    const std::string missing = MissingOf(scene, *mesh);
-    if (!missing.empty()) {
-      return Fail(CannotExpress(scene, object.mark, missing));
-    }
-  }
-  for (const Object& child : object.children) {
-    RTB_RETURN_IF_ERROR(CheckMeshes(scene, child));
-  }
-  return {};
-}
-
 Status CheckExpressible(const Scene& scene, const FlatScene& flat) {
   for (const FlatObject& object : flat.objects) {
     if (object.material == kNone) continue;
     RTB_RETURN_IF_ERROR(CheckPovMaterial(
         scene, scene.materials[static_cast<std::size_t>(object.material)]));
-  }
-  for (const Light& light : scene.lights) {
-    RTB_RETURN_IF_ERROR(CheckPovLight(scene, light));
-  }
-  for (const Object& object : scene.objects) {
-    RTB_RETURN_IF_ERROR(CheckMeshes(scene, object));
   }
   if (std::holds_alternative<ImageBackground>(scene.background.kind)) {
     return Fail(CannotExpress(scene, scene.background.mark,
@@ -72,24 +43,29 @@ std::string Header(const Scene& scene) {
          "specular 0 phong 0 brilliance 1 } }\n";
 }
 
-/// The rows BandBegin <= row < BandEnd of a picture of BandRows rows fill the
-/// image, so that a picture can be rendered in bands. These come from the
-/// command line as integers: there POV-Ray keeps single precision only.
+/// Rays go through the center of the cell (PassRow, PassColumn) of a grid of
+/// PassSide x PassSide in each pixel, so that a picture can be rendered in
+/// passes. These come from the command line as integers: there POV-Ray keeps
+/// single precision only.
 std::string CameraText(const CameraFrame& camera, double scale) {
   const double side = 2 * camera.tan_half_vfov;
-  const std::string up = PovVector(camera.up * side);
-  return "#ifndef (BandRows)\n"
-         "  #declare BandRows = 1; #declare BandBegin = 0; "
-         "#declare BandEnd = 1;\n"
+  return "#ifndef (PassSide)\n"
+         "  #declare PassSide = 1; #declare PassRow = 0; "
+         "#declare PassColumn = 0;\n"
          "#end\n"
-         "#declare Share = (BandEnd - BandBegin) / BandRows;\n"
-         "#declare Middle = (BandBegin + BandEnd) / (2 * BandRows);\n"
-         "camera {\n  perspective\n  location " +
-         PovVector(camera.position * scale) + "\n  right " +
+         "#declare Right = " +
          PovVector(camera.right * side) +
-         " * (Share * image_width / image_height)\n  up " + up +
-         " * Share\n  direction " + PovVector(camera.forward) + " + " + up +
-         " * (0.5 - Middle)\n}\n";
+         " * (image_width / image_height);\n"
+         "#declare Up = " +
+         PovVector(camera.up * side) +
+         ";\n"
+         "camera {\n  perspective\n  location " +
+         PovVector(camera.position * scale) +
+         "\n  right Right\n  up Up\n  direction " + PovVector(camera.forward) +
+         "\n    + Right * (((PassColumn + 0.5) / PassSide - 0.5) / "
+         "image_width)\n"
+         "    - Up * (((PassRow + 0.5) / PassSide - 0.5) / image_height)\n"
+         "}\n";
 }
 
 struct BackgroundWriter {
@@ -117,14 +93,12 @@ Result<std::string> ExportPov(const Scene& scene, double time) {
   RTB_RETURN_IF_ERROR(CheckExpressible(scene, flat));
   const CameraFrame camera = CameraAt(scene, time);
   const double scale = PovScale(flat, camera.position);
-  std::string text = "// Scene `" + scene.name + "` at " + PovNumber(time) +
-                     " s, lengths times " + PovNumber(scale) + "\n" +
-                     Header(scene) + CameraText(camera, scale) +
-                     std::visit(BackgroundWriter{}, scene.background.kind);
-  for (const Light& light : scene.lights) {
-    text += PovLight(scene, light, time, scale);
-  }
-  return text + PovGeometry(scene, flat, scale);
+  const std::string text =
+      "// Scene `" + scene.name + "` at " + PovNumber(time) +
+      " s, lengths times " + PovNumber(scale) + "\n" + Header(scene) +
+      CameraText(camera, scale) +
+      std::visit(BackgroundWriter{}, scene.background.kind);
+  return text + PovLights(scene, time, scale) + PovGeometry(scene, flat, scale);
 }
 
 }  // namespace rtb

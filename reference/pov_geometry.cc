@@ -97,11 +97,14 @@ class GeometryWriter {
   }
 
   std::string Corners(const FlatTriangle& triangle) const {
-    const auto at = [&](int i) {
-      return PovVector(triangle.vertices[static_cast<std::size_t>(i)] *
-                       static_cast<float>(scale_));
-    };
-    return "  triangle { " + at(0) + ", " + at(1) + ", " + at(2) + " }\n";
+    const bool smooth = triangle.normals[0] != V3f(0);
+    std::string text = smooth ? "  smooth_triangle { " : "  triangle { ";
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i > 0) text += ", ";
+      text += PovVector(triangle.vertices[i] * static_cast<float>(scale_));
+      if (smooth) text += ", " + PovVector(triangle.normals[i]);
+    }
+    return text + " }\n";
   }
   std::string MeshEnd(Index object, const V3d& object_normal) const {
     // Any direction will do to tell inside from outside; this one is unlikely

@@ -4,18 +4,12 @@
 
 #include <string>
 
-#include "core/base/result.h"
 #include "core/scene/scene.h"
 
 namespace rtb {
 
-/// A light at `time`, its coordinates multiplied by `scale`. Area lights
-/// become a lattice of at least 89 cosine emitters and a seen surface.
-/// @param light one that CheckPovLight accepts.
-std::string PovLight(const Scene& scene, const Light& light, double time,
-                     double scale);
-
-/// Success when POV-Ray can light as the format says.
-Status CheckPovLight(const Scene& scene, const Light& light);
+/// Every light of a scene at `time`, their coordinates multiplied by `scale`.
+/// Area lights become cosine emitters and a seen surface.
+std::string PovLights(const Scene& scene, double time, double scale);
 
 }  // namespace rtb

@@ -2,9 +2,14 @@
 
 #include <array>
 #include <charconv>
+#include <numbers>
 
 namespace rtb {
 namespace {
+
+/// POV-Ray dims light by 2 / (1 + (d/D)^2): the inverse square but for a share
+/// of (D/d)^2, with D the fade distance in units of the exported file.
+constexpr double kFadeDistance = 1e-4;
 
 /// Adding 0 turns -0 into 0.
 template <class T>
@@ -33,6 +38,19 @@ std::string PovColor(const Rgb& color) { return "rgb " + PovVector(color); }
 std::string PovMatrix(const Affined& map) {
   return "matrix <" + Components(map.x) + ", " + Components(map.y) + ", " +
          Components(map.z) + ", " + Components(map.origin) + ">";
+}
+
+// POV-Ray's lambertian surface shows pigment * color * attenuation * cos, ours
+// albedo / pi * intensity / d^2 * cos. Intensity grows with scale^2 so that
+// the irradiance stays.
+std::string PovIntensity(const Rgb& intensity, double scale) {
+  return PovColor(intensity) + " * " +
+         PovNumber(scale * scale /
+                   (2 * std::numbers::pi * kFadeDistance * kFadeDistance));
+}
+
+std::string PovFade() {
+  return "fade_distance " + PovNumber(kFadeDistance) + " fade_power 2";
 }
 
 Affined ScaledBy(const Affined& map, double scale) {

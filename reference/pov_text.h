@@ -24,6 +24,12 @@ std::string PovColor(const Rgb& color);
 /// `matrix <...>`: the images of the three axes, then of the origin.
 std::string PovMatrix(const Affined& map);
 
+/// `rgb <r, g, b> * k`: the color of a light of an intensity (W/sr in the
+/// scene's units) that dims as PovFade says, in a world larger by `scale`.
+std::string PovIntensity(const Rgb& intensity, double scale);
+/// The inverse square law, but for a share of less than 1e-8 at distance 1.
+std::string PovFade();
+
 /// The map followed by a uniform scaling of space.
 Affined ScaledBy(const Affined& map, double scale);
 

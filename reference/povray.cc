@@ -1,6 +1,5 @@
 #include "reference/povray.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
@@ -8,8 +7,8 @@
 #include "core/base/file.h"
 #include "core/base/manifest.h"
 #include "core/base/process.h"
-#include "reference/pov_bands.h"
 #include "reference/pov_export.h"
+#include "reference/pov_passes.h"
 #include "reference/work_folder.h"
 
 namespace rtb {
@@ -32,53 +31,88 @@ Result<std::string> PovVersion() {
   return text.substr(at + 1, text.find('\n', at + 1) - at - 1);
 }
 
-/// What the bands in a work folder depend on.
+/// What the passes in a work folder depend on.
 std::string RequestHash(const std::string& sdl, const std::string& version,
                         const ReferenceRequest& request) {
-  return Sha256(Sha256(sdl) + "\n" + version + "\n" +
-                std::to_string(request.width) + "x" +
-                std::to_string(request.height) + "\n" +
-                std::to_string(request.spp));
+  return Sha256(
+      Sha256(sdl) + "\n" + version + "\n" + std::to_string(request.width) +
+      "x" + std::to_string(request.height) + "\n" +
+      std::to_string(request.spp) + "x" + std::to_string(request.emitters));
 }
 
-void CopyRows(const Image& rows, int first, Image* image) {
-  for (int y = 0; y < rows.height(); ++y) {
-    for (int x = 0; x < rows.width(); ++x) {
-      image->at(x, first + y) = rows.at(x, y);
+/// Adds up images and gives their mean.
+class MeanImage {
+ public:
+  void Add(const Image& image) {
+    sums_.resize(image.pixels().size(), V3d(0));
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      sums_[i] += V3d(image.pixels()[i]);
     }
+    ++count_;
   }
-}
+  Image Mean(int width, int height) const {
+    Image mean(width, height);
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      mean.pixels()[i] = Rgb(sums_[i] / count_);
+    }
+    return mean;
+  }
+
+ private:
+  std::vector<V3d> sums_;
+  double count_ = 0;
+};
 
 /// A picture and what it took.
 struct Rendering {
   Image image;
   double seconds = 0;
   std::vector<std::string> first_command;
-  std::size_t bands = 0;
+  std::size_t passes = 0;
 };
 
-Result<Rendering> RenderBands(const BandRenderer& renderer,
-                              const ReferenceRequest& request,
-                              const Progress& progress) {
-  const std::vector<RowBand> bands = BandsOf(request);
+Result<Rendering> RenderPasses(const PassRenderer& renderer,
+                               const ReferenceRequest& request, int side,
+                               const Progress& progress) {
+  const std::vector<PovPass> passes = PassesOf(side);
   Rendering rendering;
-  rendering.image = Image(request.width, request.height);
-  rendering.first_command = renderer.Command(bands.front());
-  rendering.bands = bands.size();
-  for (std::size_t i = 0; i < bands.size(); ++i) {
+  rendering.first_command = renderer.Command(passes.front());
+  rendering.passes = passes.size();
+  MeanImage mean;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
     const double share =
-        static_cast<double>(i) / static_cast<double>(bands.size());
+        static_cast<double>(i) / static_cast<double>(passes.size());
     if (progress) {
-      progress(share, "band " + std::to_string(i + 1) + " of " +
-                          std::to_string(bands.size()));
+      progress(share, "pass " + std::to_string(i + 1) + " of " +
+                          std::to_string(passes.size()));
     }
-    RTB_ASSIGN_OR_RETURN(const double seconds, renderer.Render(bands[i]));
+    RTB_ASSIGN_OR_RETURN(const double seconds, renderer.Render(passes[i]));
     rendering.seconds += seconds;
-    RTB_ASSIGN_OR_RETURN(const Image rows, renderer.Averaged(bands[i]));
-    CopyRows(rows, bands[i].begin, &rendering.image);
+    RTB_ASSIGN_OR_RETURN(const Image pass, renderer.Read(passes[i]));
+    mean.Add(pass);
   }
+  rendering.image = mean.Mean(request.width, request.height);
   if (progress) progress(1, "done");
   return rendering;
+}
+
+/// How area lights are sampled; nothing where there are none.
+nlohmann::ordered_json AreaLightSettings(const Scene& scene,
+                                         const ReferenceRequest& request) {
+  int quads = 0, spheres = 0;
+  for (const Light& light : scene.lights) {
+    quads += std::holds_alternative<QuadLight>(light.kind);
+    spheres += std::holds_alternative<SphereLight>(light.kind);
+  }
+  nlohmann::ordered_json settings;
+  const char* each = " fixed cosine emitters a ray, others in each pass";
+  if (quads > 0) {
+    settings["quad_lights"] = std::to_string(request.emitters) + each;
+  }
+  if (spheres > 0) {
+    settings["sphere_lights"] = std::to_string(2 * request.emitters) + each;
+  }
+  return settings;
 }
 
 nlohmann::ordered_json Provenance(const Scene& scene,
@@ -86,7 +120,7 @@ nlohmann::ordered_json Provenance(const Scene& scene,
                                   const std::string& version,
                                   const std::string& sdl,
                                   const Rendering& rendering) {
-  return {
+  nlohmann::ordered_json provenance = {
       {"schema", kProvenanceSchema},
       {"renderer", "povray"},
       {"version", version},
@@ -100,10 +134,13 @@ nlohmann::ordered_json Provenance(const Scene& scene,
         {"max_depth", scene.settings.max_depth},
         {"filter", "mean of a regular grid of rays per pixel, linear light"}}},
       {"command", JoinedWords(rendering.first_command)},
-      {"bands", rendering.bands},
+      {"passes", rendering.passes},
       {"date", UtcNow()},
       {"wall_seconds", rendering.seconds},
   };
+  const auto lights = AreaLightSettings(scene, request);
+  if (!lights.is_null()) provenance["settings"].update(lights);
+  return provenance;
 }
 
 }  // namespace
@@ -116,9 +153,9 @@ Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
   const std::filesystem::path folder = request.output.string() + ".work";
   RTB_RETURN_IF_ERROR(PrepareWorkFolder(
       folder, RequestHash(sdl, version, request), {{"scene.pov", sdl}}));
-  const BandRenderer renderer(folder, request, side);
+  const PassRenderer renderer(folder, request, side);
   RTB_ASSIGN_OR_RETURN(const Rendering rendering,
-                       RenderBands(renderer, request, progress));
+                       RenderPasses(renderer, request, side, progress));
   RTB_RETURN_IF_ERROR(WriteReference(
       rendering.image, Provenance(scene, request, version, sdl, rendering),
       request.output));

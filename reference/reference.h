@@ -21,7 +21,10 @@ struct ReferenceRequest {
   int spp = 64;  ///< POV-Ray: a square number, an n x n grid of centers.
   double time = 0;
   std::filesystem::path output;  ///< The EXR; provenance goes beside it.
-  int seed = 0;                  ///< Cycles only: another one, other noise.
+  /// POV-Ray only: points of an area light that each ray is lit by (twice as
+  /// many of a sphere). Every ray of a pixel has others.
+  int emitters = 34;
+  int seed = 0;  ///< Cycles only: another one, other noise.
   /// Cycles only: `path`, the full light transport, or `whitted`.
   std::string integrator = "path";
   /// Cycles only: every ray goes through its pixel's center, as ours do at

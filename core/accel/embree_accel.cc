@@ -155,13 +155,18 @@ Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
   return query.crossed ? SteppedTransmittance(ray) : Rgb(1);
 }
 
+// Each step moves the ray's start a little, so that at last it may meet a
+// surface past its end or beside it, such as the light's own. Blocked has found
+// nothing opaque on the ray as it was, so none of these counts.
 Rgb EmbreeAccel::SteppedTransmittance(Ray ray) const {
   Rgb left(1);
   while (left != Rgb(0) && ray.t_max > 0) {
     const Hit hit = Closest(ray);
     if (hit.kind == PrimitiveKind::kNothing) break;
     const SurfacePoint point = SurfaceAt(impl_->view, ray, hit);
-    left *= impl_->transmittance[static_cast<std::size_t>(point.object)];
+    const Rgb& through =
+        impl_->transmittance[static_cast<std::size_t>(point.object)];
+    if (through != Rgb(0)) left *= through;
     ray.origin = LeavingOrigin(point, ray.direction);
     ray.t_max -= hit.t;
   }

@@ -79,8 +79,11 @@ class PathTracer {
     if (at.bsdf.model == SurfaceModel::kEmissive) return false;
     const bool last = depth == max_depth_;
     AddDirectLight(at, Uniforms(eye, depth, kLight), last, path, counts);
-    if (last) return false;
     const V4f u = Uniforms(eye, depth, kScatter);
+    if (last) {
+      AddUnsampled(at, V3f(u.x, u.y, u.z), path, counts);
+      return false;
+    }
     return Scatter(at, V3f(u.x, u.y, u.z), path) && Survives(depth, u.w, path);
   }
 
@@ -100,9 +103,7 @@ class PathTracer {
     if (at.emitted == Rgb(0)) return;
     float weight = 1;
     if (!path->specular) {
-      weight = PowerHeuristic(
-          path->pdf,
-          EmitterPdf(shading_, tracer_.geometry(), path->ray, hit, at));
+      weight = PowerHeuristic(path->pdf, SampledPdf(at, hit, *path));
     }
     path->radiance += path->throughput * at.emitted * weight;
   }
@@ -112,20 +113,38 @@ class PathTracer {
                              Path* path, RayCounts* counts) const {
     if (!HasNonDelta(at.bsdf)) return;
     const EmitterSample light =
-        SampleEmitter(shading_, at.point.position, V3f(u.x, u.y, u.z));
+        SampleEmitter(shading_, at.point, V3f(u.x, u.y, u.z));
     if (light.irradiance == Rgb(0)) return;
     const Scattered f =
         at.EvaluateWithPdf(shading_.ggx_energy, light.direction);
     if (f.value == Rgb(0)) return;
     float weight = 1;
     if (light.pdf > 0 && !last) weight = PowerHeuristic(light.pdf, f.pdf);
-    Ray shadow;
-    shadow.origin = LeavingOrigin(at.point, light.direction);
-    shadow.direction = light.direction;
-    shadow.t_max = light.reach;
     ++counts->shadow;
-    if (tracer_.Occluded(shadow)) return;
+    if (tracer_.Occluded(light.shadow)) return;
     path->radiance += path->throughput * f.value * light.irradiance * weight;
+  }
+
+  /// Direct light of emitters that only a scattered ray can find, so that
+  /// the depth limit treats all emitters alike.
+  RTB_HD void AddUnsampled(const Interaction& at, const V3f& u, Path* path,
+                           RayCounts* counts) const {
+    if (!shading_.unsampled_emitters || !HasNonDelta(at.bsdf)) return;
+    if (!Scatter(at, u, path) || path->specular) return;
+    ++counts->shadow;
+    const Hit hit = tracer_.Closest(path->ray);
+    if (hit.kind == PrimitiveKind::kNothing) return;
+    const Interaction lamp =
+        MakeInteraction(shading_, tracer_.geometry(), path->ray, hit);
+    if (lamp.emitted == Rgb(0) || SampledPdf(lamp, hit, *path) > 0) return;
+    path->radiance += path->throughput * lamp.emitted;
+  }
+
+  /// The density with which next-event estimation would have chosen the end of
+  /// the path's ray.
+  RTB_HD float SampledPdf(const Interaction& at, const Hit& hit,
+                          const Path& path) const {
+    return EmitterPdf(shading_, tracer_.geometry(), path.ray, hit, at);
   }
 
   /// Chooses the next direction by the BSDF.

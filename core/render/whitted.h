@@ -11,7 +11,7 @@
 #include "core/shading/interaction.h"
 #include "core/shading/phong.h"
 #include "core/shading/shading_scene.h"
-#include "core/shading/shadow_reach.h"
+#include "core/shading/shadow_ray.h"
 
 namespace rtb {
 
@@ -153,12 +153,9 @@ class Whitted {
     if (sample.irradiance == Rgb(0)) return Rgb(0);
     const Rgb response = Response(at, sample.direction);
     if (response == Rgb(0)) return Rgb(0);
-    Ray shadow;
-    shadow.origin = LeavingOrigin(at.point, at.geometric);
-    shadow.direction = sample.direction;
-    shadow.t_max = ShadowReach(light, at.point.position, sample);
     ++counts->shadow;
-    return response * sample.irradiance * tracer_.Transmittance(shadow);
+    return response * sample.irradiance *
+           tracer_.Transmittance(ShadowRay(at.point, light, sample));
   }
 
   /// f |cos|, and Phong's highlight, which takes no cosine.

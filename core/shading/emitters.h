@@ -3,8 +3,6 @@
 /// and the density of that choice, host and device.
 #pragma once
 
-#include <limits>
-
 #include "core/accel/ray.h"
 #include "core/base/host_device.h"
 #include "core/math/discrete.h"
@@ -12,23 +10,24 @@
 #include "core/shading/interaction.h"
 #include "core/shading/light.h"
 #include "core/shading/shading_scene.h"
-#include "core/shading/shadow_reach.h"
+#include "core/shading/shadow_ray.h"
 
 namespace rtb {
 
 /// A direction towards something that emits.
 struct EmitterSample {
   V3f direction{0};   ///< Unit.
-  float reach = 0;    ///< How far a shadow ray has to go.
+  Ray shadow;         ///< What has to be free for its light to come through.
   Rgb irradiance{0};  ///< On a surface facing it, over the chance of choosing
                       ///< this one; black where there is nothing.
   float pdf = 0;      ///< Per solid angle; 0 for lights without extent.
 };
 
-/// One emitter as seen from `position`.
+/// One emitter as seen from a surface.
 /// @param u uniforms; z chooses the emitter.
 RTB_HD inline EmitterSample SampleEmitter(const ShadingView& shading,
-                                          const V3f& position, const V3f& u) {
+                                          const SurfacePoint& point,
+                                          const V3f& u) {
   const DiscreteSample choice =
       SampleDiscrete(shading.light_cdf, shading.light_count + 1, u.z);
   EmitterSample result;
@@ -37,15 +36,16 @@ RTB_HD inline EmitterSample SampleEmitter(const ShadingView& shading,
         SampleBackground(shading.background, V2f(u.x, u.y));
     if (!(sky.pdf > 0)) return result;
     result.direction = sky.direction;
-    result.reach = std::numeric_limits<float>::infinity();
+    result.shadow.origin = LeavingOrigin(point, sky.direction);
+    result.shadow.direction = sky.direction;
     result.pdf = sky.pdf * choice.probability;
     result.irradiance = sky.radiance / result.pdf;
     return result;
   }
   const LightData& light = shading.lights[choice.index];
-  const LightSample sample = SampleLight(light, position, V2f(u.x, u.y));
+  const LightSample sample = SampleLight(light, point.position, V2f(u.x, u.y));
   result.direction = sample.direction;
-  result.reach = ShadowReach(light, position, sample);
+  result.shadow = ShadowRay(point, light, sample);
   result.irradiance = sample.irradiance / choice.probability;
   result.pdf = sample.pdf * choice.probability;
   return result;

@@ -10,6 +10,7 @@
 #include "core/color/luminance.h"
 #include "core/math/discrete.h"
 #include "core/scene/animation.h"
+#include "core/shading/light_choice.h"
 #include "core/shading/light_make.h"
 #include "core/shading/shading_scene.h"
 
@@ -29,6 +30,7 @@ class EmitterFinder {
   void Find() {
     EmitterIndices& found = shading_.emitters;
     found = {};
+    shading_.unsampled_emitters = AnyUnsampled();
     if (!AnyEmissive()) return;
     for (std::size_t i = 0; i < geometry_.triangle_objects.size(); ++i) {
       const V3f* v = geometry_.vertices.data() + 3 * i;
@@ -51,6 +53,20 @@ class EmitterFinder {
     });
   }
 
+  /// Whether something shines from where Add takes nothing: disks, planes,
+  /// and spheres that are squeezed or hold what they light.
+  bool AnyUnsampled() const {
+    const auto shines = [&](const auto& shape) {
+      return RadianceOf(shape.object) != Rgb(0);
+    };
+    return std::any_of(geometry_.disks.begin(), geometry_.disks.end(),
+                       shines) ||
+           std::any_of(geometry_.planes.begin(), geometry_.planes.end(),
+                       shines) ||
+           std::any_of(geometry_.spheres.begin(), geometry_.spheres.end(),
+                       shines);
+  }
+
   /// What an object emits; black for what is no emissive object.
   Rgb RadianceOf(int object) const {
     const ObjectData& data =
@@ -63,10 +79,13 @@ class EmitterFinder {
 
   /// @return the light's index, or -1 for one that is black or too many.
   int Add(const LightData& light) {
-    const bool usable = light.color != Rgb(0) &&
-                        (light.area > 0 || light.radius > 0) &&
-                        shading_.lights.size() < kMostEmitters;
-    if (!usable) return -1;
+    const bool shines =
+        light.color != Rgb(0) && (light.area > 0 || light.radius > 0);
+    if (!shines) return -1;
+    if (shading_.lights.size() >= kMostEmitters) {
+      shading_.unsampled_emitters = true;
+      return -1;
+    }
     shading_.lights.push_back(light);
     return static_cast<int>(shading_.lights.size()) - 1;
   }
@@ -95,7 +114,10 @@ class EmitterFinder {
     const MeshData& mesh = geometry_.meshes[static_cast<std::size_t>(use.mesh)];
     const auto count = static_cast<std::size_t>(mesh.triangle_count);
     if (radiance == Rgb(0)) return -1;
-    if (shading_.lights.size() + count > kMostEmitters) return -1;
+    if (shading_.lights.size() + count > kMostEmitters) {
+      shading_.unsampled_emitters = true;
+      return -1;
+    }
     const auto first = static_cast<int>(shading_.lights.size());
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [a, b, c] = mesh.triangles[i];
@@ -163,7 +185,7 @@ void PlaceLights(const Scene& scene, double time, const Geometry& geometry,
     powers.push_back(LightPower(light, radius));
   }
   powers.push_back(BackgroundPower(*shading, radius));
-  shading->light_cdf = MakeCdf(powers);
+  shading->light_cdf = MakeCdf(ChoiceWeights(powers, scene.lights.size()));
 }
 
 }  // namespace rtb

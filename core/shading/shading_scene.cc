@@ -72,6 +72,7 @@ ShadingView ViewOf(const ShadingScene& scene) {
   view.triangle_emitters = pointer(scene.emitters.triangles);
   view.sphere_emitters = pointer(scene.emitters.spheres);
   view.use_emitters = pointer(scene.emitters.uses);
+  view.unsampled_emitters = scene.unsampled_emitters;
   return view;
 }
 

@@ -46,7 +46,9 @@ struct ShadingScene {
   /// objects.
   std::vector<LightData> lights;
   EmitterIndices emitters;
-  /// For choosing among the lights and, last, the background, by power.
+  /// Some emissive object can only be found by chance.
+  bool unsampled_emitters = false;
+  /// For choosing among the lights and, last, the background.
   std::vector<float> light_cdf;
   int declared_lights = 0;
 };
@@ -67,6 +69,7 @@ struct ShadingView {
   const int* triangle_emitters = nullptr;
   const int* sphere_emitters = nullptr;
   const int* use_emitters = nullptr;
+  bool unsampled_emitters = false;
 
   /// The material of that index; kNone is the default, the last one.
   RTB_HD const MaterialData& material(int index) const {

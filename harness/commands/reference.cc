@@ -10,6 +10,8 @@
 namespace rtb {
 namespace {
 
+constexpr int kMostEmitters = 4096;
+
 struct ReferenceOptions {
   std::string scene;
   std::string renderer;
@@ -86,6 +88,10 @@ void AddOptions(CLI::App& app, ReferenceOptions& options) {
               "Rays per pixel; POV-Ray takes a square number of them"},
              options.spp, 1, kCyclesPassSpp * 1024);
   AddTime(app, options.request.time);
+  AddInteger(app,
+             {"--emitters", "N", "34",
+              "povray: points of an area light that each ray is lit by"},
+             options.request.emitters, 1, kMostEmitters);
   AddCyclesOptions(app, options.request);
   AddText(
       app,

@@ -42,16 +42,17 @@ TEST(PovExportTest, HeaderCountsTheEyeRayAndTurnsDefaultsOff) {
                               "specular 0 phong 0 brilliance 1"));
 }
 
-TEST(PovExportTest, CameraIsThreeVectorsAndCutsBands) {
+TEST(PovExportTest, CameraIsThreeVectorsAndShiftsByPass) {
   // vfov 90: both sides of the picture plane at distance 1 are 2 tan 45 = 2;
   // the tangent of pi/4 in double is 1 - 2^-53, so 2 comes out as 1.999...8.
   Scene scene = LargeScene();
   scene.camera.position = V3d(1, 2, 3);
   const std::string text = Export(scene);
   EXPECT_THAT(text, HasSubstr("  location <1, 2, 3>\n"));
-  EXPECT_THAT(text, HasSubstr("  right <1.9999999999999998, 0, 0> * (Share * "
-                              "image_width / image_height)\n"));
-  EXPECT_THAT(text, HasSubstr("  up <0, 1.9999999999999998, 0> * Share\n"));
+  EXPECT_THAT(text, HasSubstr("Right = <1.9999999999999998, 0, 0> * "
+                              "(image_width / image_height);\n"));
+  EXPECT_THAT(text, HasSubstr("Up = <0, 1.9999999999999998, 0>;\n"));
+  EXPECT_THAT(text, HasSubstr("  direction <0, 0, -1>\n    + Right * "));
   EXPECT_THAT(text, Not(HasSubstr("look_at")));
 }
 
@@ -97,6 +98,21 @@ TEST(PovExportTest, WritesPlanesDisksAndTriangles) {
                               "  triangle { <0, 0, 0>, <1, 0, 0>, <1, 1, 0> }\n"
                               "  triangle { <0, 0, 0>, <1, 1, 0>, <0, 1, 0> }\n"
                               "  inside_vector <0.36, 0.48, 0.8>\n"));
+}
+
+TEST(PovExportTest, WritesNormalsOfSmoothMeshes) {
+  // A normal (1, 1, 0) under scale (2, 1, 1) turns by the inverse transpose to
+  // (0.5, 1, 0) = sqrt(1.25) (0.4472136, 0.8944272, 0).
+  Scene scene = LargeScene();
+  TriangleMesh mesh;
+  mesh.positions = {V3f(0), V3f(1, 0, 0), V3f(0, 1, 0)};
+  mesh.normals = {V3f(1, 1, 0), V3f(0, 0, 1), V3f(0, 0, 1)};
+  mesh.triangles = {{0, 1, 2}};
+  scene.meshes.push_back(mesh);
+  AddObject(&scene, Mesh{"m.obj", true, 0, 0}).scale = V3d(2, 1, 1);
+  EXPECT_THAT(Export(scene),
+              HasSubstr("smooth_triangle { <0, 0, 0>, <0.4472136, 0.8944272, "
+                        "0>, <2, 0, 0>, <0, 0, 1>, <0, 1, 0>, <0, 0, 1> }"));
 }
 
 TEST(PovExportTest, WritesEveryMaterialItCanExpress) {
@@ -189,6 +205,38 @@ TEST(PovExportTest, WritesHardSpots) {
   AddLight(&scene, SpotLight{V3d(0, 9, 0), V3d(0, -3, 0), Rgb(1), 25, 0});
   EXPECT_THAT(Export(scene), HasSubstr("spotlight point_at <0, 8, 0> radius "
                                        "25 falloff 25 tightness 0 }"));
+}
+
+TEST(PovExportTest, APenumbraIsAShellAroundAPointLight) {
+  // 20 + 5 degrees = 0.4363323129985824, 5 degrees = 0.08726646259971647.
+  Scene scene = LargeScene();
+  AddLight(&scene, SpotLight{V3d(0, 9, 0), V3d(0, -3, 0), Rgb(1), 20, 5});
+  const std::string text = Export(scene);
+  EXPECT_THAT(text, Not(HasSubstr("spotlight")));
+  EXPECT_THAT(text, HasSubstr("min(1, (0.4363323129985824 - acos(max(-1, "
+                              "min(1, x * 0 + y * -1 + z * 0)))) / "
+                              "0.08726646259971647)"));
+  EXPECT_THAT(text, HasSubstr("translate <0, 9, 0> no_image no_reflection }"));
+}
+
+TEST(PovExportTest, AreaLightsAreSeenAndShineByMacros) {
+  // Power = radiance * area / (2 pi 1e-8): areas 2 * 3 = 6 and 4 pi 4.
+  Scene scene = LargeScene();
+  AddLight(&scene,
+           QuadLight{V3d(1, 5, 0), {V3d(2, 0, 0), V3d(0, 0, 3)}, Rgb(1, 2, 3)});
+  AddLight(&scene, SphereLight{V3d(0, 50, 0), 2, Rgb(1)});
+  const std::string text = Export(scene);
+  EXPECT_THAT(text, HasSubstr("#declare Emitters = 34;"));
+  EXPECT_THAT(text,
+              HasSubstr("QuadEmitters(<1, 5, 0>, <2, 0, 0>, <0, 0, 3>, <0, -1, "
+                        "0>, rgb <6, 12, 18> * 15915494.30918953"));
+  EXPECT_THAT(text, HasSubstr("sphere { <0, 50, 0>, 2 texture { pigment { rgb "
+                              "<1, 1, 1> } finish { emission rgb 1 } } }\n"
+                              "SphereEmitters(<0, 50, 0>, 2, rgb <50.2654"));
+}
+
+TEST(PovExportTest, ScenesWithoutAreaLightsNeedNoMacros) {
+  EXPECT_THAT(Export(LargeScene()), Not(HasSubstr("#macro")));
 }
 
 TEST(PovExportTest, LightsFollowTheirPaths) {

@@ -30,10 +30,12 @@ inline std::filesystem::path OutputOfThisTest() {
 }
 
 /// The reference of a scene, width x height, one ray per pixel unless told.
-inline Image Pixels(const Scene& scene, int width, int height, int spp = 1) {
+/// @param emitters points that an area light shines from.
+inline Image Pixels(const Scene& scene, int width, int height, int spp = 1,
+                    int emitters = 89) {
   const auto output = OutputOfThisTest();
-  const Status done =
-      RenderPovReference(scene, {width, height, spp, 0, output}, nullptr);
+  const Status done = RenderPovReference(
+      scene, {width, height, spp, 0, output, emitters}, nullptr);
   EXPECT_TRUE(done.has_value()) << done.error().ToString();
   const Result<Image> image = ReadLinear(output);
   EXPECT_TRUE(image.has_value());

@@ -49,10 +49,6 @@ const Refusal kRefusals[] = {
      }},
     {"ImageBackground", "an image `background`",
      [](Scene* s) { s->background.kind = ImageBackground{"sky.exr"}; }},
-    {"Penumbra", "`penumbra`",
-     [](Scene* s) {
-       AddLight(s, SpotLight{V3d(0), V3d(0, -1, 0), Rgb(1), 20, 5});
-     }},
     {"GlassDisk", "an open disk",
      [](Scene* s) { AddObject(s, Disk{}, AddMaterial(s, Dielectric{})); }},
     {"OpenGlass", "a surface that is not closed and outward",
@@ -64,20 +60,6 @@ const Refusal kRefusals[] = {
      [](Scene* s) {
        AddSphereOf(s, Dielectric{});
        AddObject(s, Sphere{V3d(0, 0, -5), 0.5}, 0);
-     }},
-    {"Subdivision", "`subdivide`",
-     [](Scene* s) {
-       s->meshes.emplace_back();
-       AddObject(s, Mesh{"m.obj", false, 2, 0});
-     }},
-    {"SmoothMesh", "`smooth: true`",
-     [](Scene* s) {
-       TriangleMesh mesh;
-       mesh.positions = {V3f(0), V3f(1, 0, 0), V3f(0, 1, 0)};
-       mesh.normals = {V3f(0, 0, 1), V3f(0, 0, 1), V3f(0, 0, 1)};
-       mesh.triangles = {{0, 1, 2}};
-       s->meshes.push_back(mesh);
-       AddObject(s, Mesh{"m.obj", true, 0, 0});
      }},
 };
 

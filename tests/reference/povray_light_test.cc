@@ -87,6 +87,48 @@ TEST(PovRayTest, QuadLightMatchesLambertsFormula) {
   });
 }
 
+/// A wall lit by a panel that a bar hides in part, seen through one pixel.
+Scene PenumbraScene() {
+  Scene scene = MakeScene();
+  scene.camera.vfov = 1;
+  AddObject(&scene, Plane{V3d(0, 0, -10), V3d(0, 0, 1)},
+            AddMaterial(&scene, Lambertian{Rgb(1)}));
+  AddObject(&scene, Box{V3d(2, -9, -6), V3d(2.4, 9, -5.6)});
+  AddLight(&scene,
+           QuadLight{V3d(4, -1, -3), {V3d(0, 2, 0), V3d(1, 0, -1)}, Rgb(9), 1});
+  return scene;
+}
+
+TEST(PovRayTest, EveryPassLightsFromElsewhere) {
+  SKIP_WITHOUT_POVRAY();
+  // Five emitters cannot tell how much of the panel the bar hides, but 16
+  // passes of five others each can: better than a thirtieth.
+  const Scene scene = PenumbraScene();
+  const float truth = Pixels(scene, 1, 1, 1, 4096).at(0, 0).x;
+  const float one_pass = Pixels(scene, 1, 1, 1, 5).at(0, 0).x;
+  const float passes = Pixels(scene, 1, 1, 16, 5).at(0, 0).x;
+  EXPECT_GT(std::abs(one_pass / truth - 1), 0.03f);
+  EXPECT_LT(std::abs(passes / truth - 1), 0.03f);
+}
+
+TEST(PovRayTest, PenumbraIsASmoothstepOfTheAngle) {
+  SKIP_WITHOUT_POVRAY();
+  Scene scene = MakeScene();
+  AddObject(&scene, Plane{V3d(0, -1, 0), V3d(0, 1, 0)},
+            AddMaterial(&scene, Lambertian{Rgb(1)}));
+  const V3d light(0, 1, -2);
+  AddLight(&scene, SpotLight{light, V3d(0, -1, 0), Rgb(5), 20, 30});
+  ExpectEverywhere(Pixels(scene, 96, 64), kHalf, [&](const V3d& d) {
+    if (d.y >= -0.1) return kNoValue;
+    const V3d p = d / -d.y;
+    const double angle = std::acos(2 / (light - p).length()) * 180 / kPi;
+    const double s = std::clamp((50 - angle) / 30, 0.0, 1.0);
+    // Near 0 halves are coarser than their relative error.
+    if (s > 0 && s < 0.02) return kNoValue;
+    return V3d(5 * s * s * (3 - 2 * s) * UnderPointLight(p, light));
+  });
+}
+
 TEST(PovRayTest, TheBackOfAQuadLightIsBlackAndBlocks) {
   SKIP_WITHOUT_POVRAY();
   // Seen from behind before white: black.

@@ -30,6 +30,12 @@ class SceneBuilder {
     scene.objects.push_back(std::move(object));
     return scene.objects.back();
   }
+  /// Adds a mesh of that material; a reference to its object.
+  Object& Add(TriangleMesh mesh, Index material) {
+    scene.meshes.push_back(std::move(mesh));
+    const auto data = static_cast<Index>(scene.meshes.size()) - 1;
+    return Add(Mesh{"", true, 0, data}, material);
+  }
   void AddLight(decltype(Light::kind) kind) {
     Light light;
     light.kind = std::move(kind);

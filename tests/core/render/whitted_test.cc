@@ -12,7 +12,7 @@ namespace {
 
 using testing::SceneBuilder;
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPiExact = std::numbers::pi;
 
 RenderOptions Depth(int max_depth) {
   RenderOptions options;
@@ -36,7 +36,7 @@ TEST(WhittedTest, PointLightOnAPlane) {
   b.Add(Plane{V3d(0), V3d(0, 1, 0)}, m);
   b.AddLight(PointLight{V3d(4, 3, 0), Rgb(10, 20, 30), true});
   b.Look(V3d(0, 2, 0), V3d(0, 0, 0));
-  const double factor = 0.6 / 25 / kPi;
+  const double factor = 0.6 / 25 / kPiExact;
   ExpectNear(b.Center(), V3d(0.2 * 10, 0.5 * 20, 0.8 * 30) * factor, 1e-5);
 }
 
@@ -47,7 +47,8 @@ TEST(WhittedTest, PointLightWithoutFalloffAndDirectionalLight) {
   b.AddLight(PointLight{V3d(4, 3, 0), Rgb(1, 2, 3), false});
   b.AddLight(DirectionalLight{V3d(0, -2, 0), Rgb(7)});
   b.Look(V3d(0, 2, 0), V3d(0, 0, 0));
-  ExpectNear(b.Center(), (V3d(1, 2, 3) * 0.6 + V3d(7)) * (0.5 / kPi), 1e-5);
+  ExpectNear(b.Center(), (V3d(1, 2, 3) * 0.6 + V3d(7)) * (0.5 / kPiExact),
+             1e-5);
 }
 
 TEST(WhittedTest, LambertianIsTwoSidedAndLightsBehindItDoNotCount) {
@@ -57,7 +58,7 @@ TEST(WhittedTest, LambertianIsTwoSidedAndLightsBehindItDoNotCount) {
   b.Add(Triangle{{V3d(-5, -5, -2), V3d(0, 5, -2), V3d(5, -5, -2)}}, m);
   b.AddLight(DirectionalLight{V3d(0, 0, -1), Rgb(3)});
   b.AddLight(DirectionalLight{V3d(0, 0, 1), Rgb(100)});
-  ExpectNear(b.Center(), V3d(3 / kPi), 1e-5);
+  ExpectNear(b.Center(), V3d(3 / kPiExact), 1e-5);
 }
 
 TEST(WhittedTest, OpaqueObjectsCastShadowsLightsBeyondDoNot) {
@@ -68,7 +69,7 @@ TEST(WhittedTest, OpaqueObjectsCastShadowsLightsBeyondDoNot) {
     b.Add(Sphere{V3d(0, blocker_height, 0), 0.5}, m);
     b.AddLight(PointLight{V3d(0, 5, 0), Rgb(25), true});
     b.Look(V3d(3, 3, 0), V3d(0, 0, 0));
-    ExpectNear(b.Center(), V3d(blocker_height < 5 ? 0 : 1 / kPi), 1e-5);
+    ExpectNear(b.Center(), V3d(blocker_height < 5 ? 0 : 1 / kPiExact), 1e-5);
   }
 }
 
@@ -80,7 +81,7 @@ TEST(WhittedTest, DielectricTintsShadowsAtEachCrossing) {
   b.Add(Box{V3d(-1, 1, -1), V3d(1, 2, 1)}, glass);
   b.AddLight(DirectionalLight{V3d(0, -1, 0), Rgb(1)});
   b.Look(V3d(5, 0.5, 0), V3d(0, 0, 0));
-  ExpectNear(b.Center(), V3d(0.25, 0.64, 1) / kPi, 1e-5);
+  ExpectNear(b.Center(), V3d(0.25, 0.64, 1) / kPiExact, 1e-5);
 }
 
 TEST(WhittedTest, AmbientIsAlbedoTimesAmbient) {
@@ -94,7 +95,8 @@ TEST(WhittedTest, AmbientIsAlbedoTimesAmbient) {
 TEST(WhittedTest, ObjectsWithoutMaterialAreHalfGray) {
   SceneBuilder b;
   b.Add(Plane{V3d(0, 0, -1), V3d(0, 0, 1)}, kNone);
-  b.AddLight(DirectionalLight{V3d(0, 0, -1), Rgb(static_cast<float>(kPi))});
+  b.AddLight(
+      DirectionalLight{V3d(0, 0, -1), Rgb(static_cast<float>(kPiExact))});
   ExpectNear(b.Center(), V3d(0.5), 1e-6);
 }
 

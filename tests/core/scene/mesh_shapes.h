@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -90,6 +91,39 @@ inline TriangleMesh Icosahedron() {
     mesh.triangles.push_back({6 + i, 6 + j, 1 + j});
     mesh.triangles.push_back({11, 6 + j, 6 + i});
   }
+  return mesh;
+}
+
+/// The icosahedron with each triangle parted in four `levels` times, all
+/// vertices on the unit sphere and shared.
+inline TriangleMesh Icosphere(int levels) {
+  TriangleMesh mesh = Icosahedron();
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+      const auto next = static_cast<int>(mesh.positions.size());
+      const auto [at, added] = middles.emplace(std::minmax(a, b), next);
+      if (added) {
+        mesh.positions.push_back(
+            (PositionOf(mesh, a) + PositionOf(mesh, b)).normalized());
+      }
+      return at->second;
+    };
+    std::vector<std::array<int, 3>> finer;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(),
+                   {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+    }
+    mesh.triangles = std::move(finer);
+  }
+  return mesh;
+}
+
+/// The same, shaded as the unit sphere.
+inline TriangleMesh SmoothIcosphere(int levels) {
+  TriangleMesh mesh = Icosphere(levels);
+  mesh.normals = mesh.positions;
   return mesh;
 }
 

@@ -24,7 +24,7 @@ TEST(BackgroundTest, GradientsAreSampledWithoutVariance) {
   for (const auto& [bottom, top] :
        {std::pair(1.0f, 1.0f), {0.2f, 3.0f}, {5.0f, 0.0f}, {0.0f, 2.0f}}) {
     const BackgroundData sky{Rgb(bottom), Rgb(top)};
-    const double expected = 4 * kPi * (bottom + top) / 2;
+    const double expected = 4 * kPiExact * (bottom + top) / 2;
     double y = 0;
     constexpr std::uint32_t kCount = 4096;
     for (std::uint32_t i = 0; i < kCount; ++i) {
@@ -69,7 +69,7 @@ TEST(BackgroundTest, ImagesAreLookedUpAndSampled) {
 
 TEST(BackgroundTest, BlackIsSampledUniformly) {
   const BackgroundSample s = SampleBackground({}, V2f(0.2f, 0.75f));
-  EXPECT_FLOAT_EQ(s.pdf, static_cast<float>(1 / (4 * kPi)));
+  EXPECT_FLOAT_EQ(s.pdf, static_cast<float>(1 / (4 * kPiExact)));
   EXPECT_FLOAT_EQ(s.direction.y, 0.5f);
   EXPECT_EQ(s.radiance, Rgb(0));
 }

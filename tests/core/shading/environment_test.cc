@@ -108,7 +108,7 @@ TEST(EnvironmentTest, ConstantRadianceHasNoVariance) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const BackgroundSample s =
         SampleEnvironment(ViewOf(environment), SobolOwen2(i, 0));
-    EXPECT_NEAR(s.pdf, 1 / (4 * kPi), 1e-6);
+    EXPECT_NEAR(s.pdf, 1 / (4 * kPiExact), 1e-6);
     EXPECT_NEAR(s.direction.length(), 1, 1e-6);
   }
 }
@@ -150,7 +150,7 @@ TEST(EnvironmentTest, DensityIntegratesToOne) {
   for (int row = 0; row < 16; ++row) {
     solid_angle += 32 * TexelSolidAngle(32, 16, row);
   }
-  EXPECT_NEAR(solid_angle, 4 * kPi, 1e-5);
+  EXPECT_NEAR(solid_angle, 4 * kPiExact, 1e-5);
 }
 
 // Samples of a row fill its band evenly in y, the mean of which is the mean of
@@ -158,8 +158,8 @@ TEST(EnvironmentTest, DensityIntegratesToOne) {
 TEST(EnvironmentTest, RowsAreSampledEvenlyAlsoAtThePoles) {
   constexpr int kHeight = 2048;
   for (const int row : {0, 1, 700, 1023, 1024, 2046, 2047}) {
-    const double a = kPi * row / kHeight;
-    const double b = kPi * (row + 1) / kHeight;
+    const double a = kPiExact * row / kHeight;
+    const double b = kPiExact * (row + 1) / kHeight;
     double sum = 0;
     for (int i = 0; i < 1000; ++i) {
       const float fraction = (static_cast<float>(i) + 0.5f) / 1000;

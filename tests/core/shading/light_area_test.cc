@@ -84,7 +84,7 @@ TEST(QuadLightTest, SolidAngleSamplesHaveNoVarianceOfTheirOwn) {
   // The unit cube's face from the center: a sixth of 4 pi.
   const LightData face =
       MakeQuad(V3d(-1, 1, -1), V3d(2, 0, 0), V3d(0, 0, 2), Rgb(1));
-  EXPECT_NEAR(SampleLight(face, V3f(0), V2f(0)).irradiance.x, 4 * kPi / 6,
+  EXPECT_NEAR(SampleLight(face, V3f(0), V2f(0)).irradiance.x, 4 * kPiExact / 6,
               1e-6);
 }
 

@@ -26,9 +26,10 @@ TEST(LightMakeTest, PathsMoveWhatHasAPlace) {
 TEST(LightMakeTest, AnglesBecomeRadiansAndSamplesPass) {
   const Light spot{
       "", SpotLight{V3d(0), V3d(0, -1, 0), Rgb(1), 60, 30}, kNone, {}};
-  EXPECT_FLOAT_EQ(ToLightData(spot, V3d(0)).cone, static_cast<float>(kPi / 3));
+  EXPECT_FLOAT_EQ(ToLightData(spot, V3d(0)).cone,
+                  static_cast<float>(kPiExact / 3));
   EXPECT_FLOAT_EQ(ToLightData(spot, V3d(0)).penumbra,
-                  static_cast<float>(kPi / 6));
+                  static_cast<float>(kPiExact / 6));
   const Light sphere{"", SphereLight{V3d(0), 1, Rgb(1), 16}, kNone, {}};
   EXPECT_EQ(ToLightData(sphere, V3d(0)).samples, 16);
 }
@@ -53,16 +54,18 @@ TEST(LightMakeTest, PowerIsTheFlux) {
   const auto power = [](const auto& light) {
     return LightPower(ToLightData({"", light, kNone, {}}, V3d(0)), 2);
   };
-  EXPECT_NEAR(power(PointLight{V3d(0), Rgb(5), true}), 20 * kPi, 1e-4);
-  EXPECT_NEAR(power(DirectionalLight{V3d(0, 1, 0), Rgb(5)}), 20 * kPi, 1e-4);
+  EXPECT_NEAR(power(PointLight{V3d(0), Rgb(5), true}), 20 * kPiExact, 1e-4);
+  EXPECT_NEAR(power(DirectionalLight{V3d(0, 1, 0), Rgb(5)}), 20 * kPiExact,
+              1e-4);
   EXPECT_NEAR(power(SpotLight{V3d(0), V3d(0, 1, 0), Rgb(5), 60, 0}),
-              5 * 2 * kPi * 0.5, 1e-4);
-  EXPECT_NEAR(power(SphereLight{V3d(0), 3, Rgb(5)}), 5 * kPi * 36 * kPi, 1e-3);
+              5 * 2 * kPiExact * 0.5, 1e-4);
+  EXPECT_NEAR(power(SphereLight{V3d(0), 3, Rgb(5)}),
+              5 * kPiExact * 36 * kPiExact, 1e-3);
   EXPECT_NEAR(power(QuadLight{V3d(0), {V3d(2, 0, 0), V3d(0, 0, 3)}, Rgb(5)}),
-              5 * kPi * 6, 1e-4);
+              5 * kPiExact * 6, 1e-4);
   const LightData triangle =
       TriangleLight(V3f(0), V3f(0, 0, 2), V3f(0, 3, 0), Rgb(5));
-  EXPECT_NEAR(LightPower(triangle, 2), 5 * kPi * 6, 1e-4);
+  EXPECT_NEAR(LightPower(triangle, 2), 5 * kPiExact * 6, 1e-4);
 }
 
 }  // namespace

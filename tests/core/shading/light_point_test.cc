@@ -54,13 +54,13 @@ TEST(DirectionalLightTest, TheSameEverywhere) {
 
 /// On the plane y = 0 below the spot, `degrees` off its axis.
 double SpotIrradiance(const LightData& spot, double degrees) {
-  const double x = 4 * std::tan(degrees * kPi / 180);
+  const double x = 4 * std::tan(degrees * kPiExact / 180);
   return Irradiance(spot, V3f(static_cast<float>(x), 0, 0), kUp, 1);
 }
 
 /// Of the full intensity there: I cos / d^2 with d = 4 / cos.
 double FullIrradiance(double degrees) {
-  return 10 * std::pow(std::cos(degrees * kPi / 180), 3) / 16;
+  return 10 * std::pow(std::cos(degrees * kPiExact / 180), 3) / 16;
 }
 
 TEST(SpotLightTest, FullWithinTheCone) {

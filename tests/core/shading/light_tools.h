@@ -10,7 +10,7 @@
 
 namespace rtb {
 
-inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kPiExact = std::numbers::pi;
 
 inline LightData MakeQuad(const V3d& corner, const V3d& e0, const V3d& e1,
                           const Rgb& radiance) {
@@ -77,11 +77,11 @@ double IntegralOverSphere(int n, F f) {
     const double x = 1 - (2 * i + 1.0) / n;
     const double sine = std::sqrt(1 - x * x);
     for (int j = 0; j < 2 * n; ++j) {
-      const double phi = kPi * (j + 0.5) / n;
+      const double phi = kPiExact * (j + 0.5) / n;
       sum += f(V3f(V3d(x, sine * std::cos(phi), sine * std::sin(phi))));
     }
   }
-  return sum * 2 * kPi / n / n;
+  return sum * 2 * kPiExact / n / n;
 }
 
 }  // namespace rtb
