@@ -87,7 +87,7 @@ class RenderTest(ProgramTest):
                                  ("--exposure=99", "from -64 to 64"),
                                  ("--max-depth=65", "0 to 64"),
                                  ("--threads=-1", "from 0"),
-                                 ("--integrator=path", "expected whitted"),
+                                 ("--integrator=radiosity", "expected whitted"),
                                  ("--backend=vulkan", "embree")):
             self.fail_with(2, *base, "--output=a.png", option, says=expected)
         for backend in ("bvh", "cuda"):
