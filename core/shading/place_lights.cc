@@ -35,7 +35,9 @@ class EmitterFinder {
     for (std::size_t i = 0; i < geometry_.triangle_objects.size(); ++i) {
       const V3f* v = geometry_.vertices.data() + 3 * i;
       const Rgb radiance = RadianceOf(geometry_.triangle_objects[i]);
-      found.triangles.push_back(Add(TriangleLight(v[0], v[1], v[2], radiance)));
+      found.triangles.push_back(
+          radiance == Rgb(0) ? -1
+                             : Add(TriangleLight(v[0], v[1], v[2], radiance)));
     }
     for (const Quadric& sphere : geometry_.spheres) {
       found.spheres.push_back(Add(SphereOf(sphere)));
