@@ -82,7 +82,7 @@ struct Rendering {
   std::vector<std::string> first_command;
 };
 
-Result<Rendering> RenderPasses(const PassRenderer& renderer,
+Result<Rendering> RenderPasses(const CyclesPassRenderer& renderer,
                                const ReferenceRequest& request,
                                const Progress& progress) {
   const std::vector<CyclesPass> passes = PassesOf(request);
@@ -153,7 +153,7 @@ Status RenderCyclesReference(const Scene& scene,
       PrepareWorkFolder(folder, RequestHash(job, request), files));
   RTB_ASSIGN_OR_RETURN(
       const Rendering rendering,
-      RenderPasses(PassRenderer(folder, request), request, progress));
+      RenderPasses(CyclesPassRenderer(folder, request), request, progress));
   RTB_RETURN_IF_ERROR(WriteReference(rendering.image,
                                      Provenance(scene, request, job, rendering),
                                      request.output));

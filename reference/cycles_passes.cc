@@ -24,12 +24,12 @@ std::vector<CyclesPass> PassesOf(const ReferenceRequest& request) {
   return passes;
 }
 
-std::string PassRenderer::NameOf(const CyclesPass& pass) {
+std::string CyclesPassRenderer::NameOf(const CyclesPass& pass) {
   return "pass_" + std::to_string(pass.index) + "_" + std::to_string(pass.spp);
 }
 
-std::vector<std::string> PassRenderer::Command(const CyclesPass& pass,
-                                               std::string output) const {
+std::vector<std::string> CyclesPassRenderer::Command(const CyclesPass& pass,
+                                                     std::string output) const {
   if (output.empty()) output = NameOf(pass) + ".exr";
   std::vector<std::string> argv;
   if (request_.nice) argv = {"nice", "-n", "19"};
@@ -49,7 +49,7 @@ std::vector<std::string> PassRenderer::Command(const CyclesPass& pass,
   return argv;
 }
 
-Result<double> PassRenderer::Render(const CyclesPass& pass) const {
+Result<double> CyclesPassRenderer::Render(const CyclesPass& pass) const {
   return MakePiece(
       folder_, NameOf(pass), [&](const std::string& output) -> Status {
         std::vector<std::string> argv = Command(pass, output);
@@ -62,7 +62,7 @@ Result<double> PassRenderer::Render(const CyclesPass& pass) const {
       });
 }
 
-Result<Image> PassRenderer::Read(const CyclesPass& pass) const {
+Result<Image> CyclesPassRenderer::Read(const CyclesPass& pass) const {
   return ReadPiece(folder_, NameOf(pass), request_.width, request_.height);
 }
 

@@ -26,9 +26,10 @@ struct CyclesPass {
 std::vector<CyclesPass> PassesOf(const ReferenceRequest& request);
 
 /// Renders passes of `scene.json` in a work folder, where finished ones stay.
-class PassRenderer {
+class CyclesPassRenderer {
  public:
-  PassRenderer(std::filesystem::path folder, const ReferenceRequest& request)
+  CyclesPassRenderer(std::filesystem::path folder,
+                     const ReferenceRequest& request)
       : folder_(std::move(folder)), request_(request) {}
 
   /// Renders a pass unless it lies finished in the folder.

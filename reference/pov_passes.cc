@@ -34,12 +34,12 @@ Result<int> GridSide(const ReferenceRequest& request) {
   return side;
 }
 
-std::string PassRenderer::NameOf(const PovPass& pass) {
+std::string PovPassRenderer::NameOf(const PovPass& pass) {
   return "pass_" + std::to_string(pass.row) + "_" + std::to_string(pass.column);
 }
 
-std::vector<std::string> PassRenderer::Command(const PovPass& pass,
-                                               std::string output) const {
+std::vector<std::string> PovPassRenderer::Command(const PovPass& pass,
+                                                  std::string output) const {
   if (output.empty()) output = NameOf(pass) + ".exr";
   return {"povray",
           "+Iscene.pov",
@@ -62,7 +62,7 @@ std::vector<std::string> PassRenderer::Command(const PovPass& pass,
           "-GS"};
 }
 
-Result<double> PassRenderer::Render(const PovPass& pass) const {
+Result<double> PovPassRenderer::Render(const PovPass& pass) const {
   // POV-Ray's own restrictions let it write only below its folder and /tmp.
   return MakePiece(folder_, NameOf(pass), [&](const std::string& output) {
     return RunRenderer(Command(pass, output), folder_,
@@ -70,7 +70,7 @@ Result<double> PassRenderer::Render(const PovPass& pass) const {
   });
 }
 
-Result<Image> PassRenderer::Read(const PovPass& pass) const {
+Result<Image> PovPassRenderer::Read(const PovPass& pass) const {
   return ReadPiece(folder_, NameOf(pass), request_.width, request_.height);
 }
 

@@ -29,11 +29,11 @@ std::vector<PovPass> PassesOf(int side);
 Result<int> GridSide(const ReferenceRequest& request);
 
 /// Renders passes of `scene.pov` in a work folder, where finished ones stay.
-class PassRenderer {
+class PovPassRenderer {
  public:
   /// @param side n of the n x n rays per pixel.
-  PassRenderer(std::filesystem::path folder, const ReferenceRequest& request,
-               int side)
+  PovPassRenderer(std::filesystem::path folder, const ReferenceRequest& request,
+                  int side)
       : folder_(std::move(folder)), request_(request), side_(side) {}
 
   /// Renders a pass unless it lies finished in the folder.

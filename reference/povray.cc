@@ -71,7 +71,7 @@ struct Rendering {
   std::size_t passes = 0;
 };
 
-Result<Rendering> RenderPasses(const PassRenderer& renderer,
+Result<Rendering> RenderPasses(const PovPassRenderer& renderer,
                                const ReferenceRequest& request, int side,
                                const Progress& progress) {
   const std::vector<PovPass> passes = PassesOf(side);
@@ -153,7 +153,7 @@ Status RenderPovReference(const Scene& scene, const ReferenceRequest& request,
   const std::filesystem::path folder = request.output.string() + ".work";
   RTB_RETURN_IF_ERROR(PrepareWorkFolder(
       folder, RequestHash(sdl, version, request), {{"scene.pov", sdl}}));
-  const PassRenderer renderer(folder, request, side);
+  const PovPassRenderer renderer(folder, request, side);
   RTB_ASSIGN_OR_RETURN(const Rendering rendering,
                        RenderPasses(renderer, request, side, progress));
   RTB_RETURN_IF_ERROR(WriteReference(

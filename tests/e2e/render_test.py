@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """`rtbench render`, `export` and `reference`."""
 
+import json
 import unittest
 
 from pictures import read_png, read_ppm
@@ -109,10 +110,15 @@ class ExportTest(ProgramTest):
                      "--output=a.pov")
         self.assertEqual((self.folder / "a.pov").read_bytes(), text)
 
+    def test_blender(self):
+        text = self.succeed("export", "--scene=cornell", "--format=blender")
+        described = json.loads(text)
+        self.assertGreater(len(described["materials"]), 2)
+
     def test_errors(self):
         self.fail_with(2, "export", "--scene=cornell", says="--format")
-        self.fail_with(2, "export", "--scene=cornell", "--format=blender",
-                       says=("blender", "pov"))
+        self.fail_with(2, "export", "--scene=cornell", "--format=obj",
+                       says=("obj", "blender", "pov"))
         self.fail_with(2, "export", "--format=pov", says="cornell")
 
 
@@ -120,7 +126,8 @@ class ReferenceTest(ProgramTest):
 
     def test_cycles_is_missing(self):
         self.fail_with(3, "reference", "--scene=cornell", "--renderer=cycles",
-                       says="povray")
+                       "--output=a.exr", env={"PATH": str(self.folder)},
+                       says=("blender", "apt-get install blender"))
 
     def test_povray_is_missing(self):
         self.fail_with(3, "reference", "--scene=cornell", "--renderer=povray",

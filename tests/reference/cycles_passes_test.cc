@@ -24,7 +24,7 @@ TEST(CyclesPassesTest, PassesContinueOneSequence) {
 }
 
 TEST(CyclesPassesTest, TheCommandNamesTheSamples) {
-  const PassRenderer renderer("work", Request(150));
+  const CyclesPassRenderer renderer("work", Request(150));
   const auto command = renderer.Command({2, 22, 128});
   EXPECT_EQ(command.front(), "blender");
   EXPECT_THAT(command,

@@ -40,7 +40,7 @@ TEST(PovPassesTest, ThereIsOneForEveryCellOfAPixel) {
 TEST(PovPassesTest, TheCommandTellsWhichPassItIs) {
   ReferenceRequest request = kSmall;
   request.emitters = 55;
-  const auto command = PassRenderer("", request, 2).Command({1, 0});
+  const auto command = PovPassRenderer("", request, 2).Command({1, 0});
   EXPECT_THAT(command, testing::IsSupersetOf(
                            {"+Opass_1_0.exr", "+W4", "+H3",
                             "Declare=PassSide=2", "Declare=PassRow=1",
@@ -50,7 +50,7 @@ TEST(PovPassesTest, TheCommandTellsWhichPassItIs) {
 TEST(PovPassesTest, AFinishedPassIsNotRenderedAgain) {
   if (!FindProgram("povray")) GTEST_SKIP() << "povray is not installed";
   const auto folder = FolderWith(kWhite);
-  const PassRenderer renderer(folder, kSmall, 2);
+  const PovPassRenderer renderer(folder, kSmall, 2);
   const Result<double> first = renderer.Render({0, 1});
   ASSERT_TRUE(first.has_value()) << first.error().ToString();
   // Without its scene POV-Ray could not render anything.
@@ -69,14 +69,14 @@ TEST(PovPassesTest, AFinishedPassIsNotRenderedAgain) {
 TEST(PovPassesTest, ABrokenPassIsRemovedAndSaid) {
   const auto folder = FolderWith("");
   ASSERT_TRUE(WriteFileAtomically(folder / "pass_0_1.exr", "no image"));
-  const PassRenderer renderer(folder, kSmall, 2);
+  const PovPassRenderer renderer(folder, kSmall, 2);
   EXPECT_FALSE(renderer.Read({0, 1}).has_value());
   EXPECT_FALSE(std::filesystem::exists(folder / "pass_0_1.exr"));
 }
 
 TEST(PovPassesTest, TellsWhatPovRaySaid) {
   if (!FindProgram("povray")) GTEST_SKIP() << "povray is not installed";
-  const PassRenderer renderer(FolderWith("sphere { nonsense"), kSmall, 2);
+  const PovPassRenderer renderer(FolderWith("sphere { nonsense"), kSmall, 2);
   const Result<double> done = renderer.Render({0, 0});
   ASSERT_FALSE(done.has_value());
   EXPECT_EQ(done.error().kind, ErrorKind::kFailure);
