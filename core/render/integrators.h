@@ -30,10 +30,11 @@ Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
       options.camera ? *options.camera : CameraAt(scene, options.time);
   const PlanRenderer renderer(camera, plan, options);
   if (options.integrator == "path") {
-    return renderer.Render(PathTracer<Tracer>(tracer, shading, max_depth),
-                           counts);
+    return renderer.Render(
+        [&] { return PathTracer<Tracer>(tracer, shading, max_depth); }, counts);
   }
-  return renderer.Render(Whitted<Tracer>(tracer, shading, max_depth), counts);
+  return renderer.Render(
+      [&] { return Whitted<Tracer>(tracer, shading, max_depth); }, counts);
 }
 
 }  // namespace rtb

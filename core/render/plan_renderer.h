@@ -35,15 +35,17 @@ class PlanRenderer {
         options_(options) {}
 
   /// All fragments; `counts` receives the rays traced.
-  /// @param prototype answers Radiance(eye, counts); each task uses a copy.
-  template <class Integrator>
-  Fragments Render(const Integrator& prototype, RayCounts* counts) const {
+  /// @param make_integrator returns what answers Radiance(eye, counts); each
+  /// task makes one of its own.
+  template <class MakeIntegrator>
+  Fragments Render(const MakeIntegrator& make_integrator,
+                   RayCounts* counts) const {
     Fragments fragments(plan_);
     std::atomic<std::uint64_t> camera{0}, shadow{0}, secondary{0};
     ParallelFor(plan_.grid.cells(), kCellsPerTask, options_.threads,
                 [&](int begin, int end) {
                   const RayCounts own =
-                      RenderCells(prototype, begin, end, &fragments);
+                      RenderCells(make_integrator, begin, end, &fragments);
                   camera += own.camera;
                   shadow += own.shadow;
                   secondary += own.secondary;
@@ -56,10 +58,11 @@ class PlanRenderer {
   /// Cells that one task renders; results do not depend on it.
   static constexpr int kCellsPerTask = 64;
 
-  template <class Integrator>
-  RayCounts RenderCells(Integrator integrator, int begin, int end,
-                        Fragments* fragments) const {
+  template <class MakeIntegrator>
+  RayCounts RenderCells(const MakeIntegrator& make_integrator, int begin,
+                        int end, Fragments* fragments) const {
     RayCounts counts;
+    auto integrator = make_integrator();
     for (int cell = begin; cell < end; ++cell) {
       const std::span<Rgb> out = fragments->cell(cell);
       for (int s = 0; s < plan_.samples_per_cell; ++s) {
