@@ -6,6 +6,7 @@
 
 #include "core/image/io.h"
 #include "tests/core/render/measure.h"
+#include "tests/temp_folder.h"
 
 namespace rtb {
 namespace {
@@ -19,7 +20,7 @@ const Rgb kRed(1, 0, 0), kGreen(0, 1, 0), kBlue(0, 0, 1), kWhite(1, 1, 1);
 class TexturesTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    file_ = std::filesystem::path(::testing::TempDir()) / "four_texels.exr";
+    file_ = folder_ / "four_texels.exr";
     Image image(2, 2);
     image.at(0, 0) = kRed;
     image.at(1, 0) = kGreen;
@@ -27,8 +28,6 @@ class TexturesTest : public ::testing::Test {
     image.at(1, 1) = kWhite;
     ASSERT_TRUE(WriteExr(file_, image, ExrType::kFloat).has_value());
   }
-  void TearDown() override { std::filesystem::remove(file_); }
-
   /// A scene whose material 0 shows the image; ambient 1 makes it emit its
   /// albedo.
   SceneBuilder Textured() const {
@@ -61,6 +60,7 @@ class TexturesTest : public ::testing::Test {
     }
   }
 
+  TempFolder folder_;
   std::filesystem::path file_;
 };
 
@@ -208,7 +208,7 @@ TEST_F(TexturesTest, CheckersGoWithInstances) {
 // darker, from above it stays. Heights 0, 1/4, 1/2, 3/4 of 4 texels over 4
 // units with amount 1 rise by 1/4 per unit: the normal is (-1/4, 0, 1).
 TEST_F(TexturesTest, BumpsTiltTheRightWay) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "rising.exr";
+  const auto file = folder_ / "rising.exr";
   for (const bool upwards : {false, true}) {
     Image heights(4, 4);
     for (int y = 0; y < 4; ++y) {
@@ -237,7 +237,6 @@ TEST_F(TexturesTest, BumpsTiltTheRightWay) {
       }
     }
   }
-  std::filesystem::remove(file);
 }
 
 }  // namespace

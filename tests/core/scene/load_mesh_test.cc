@@ -76,7 +76,8 @@ class LoadMeshFileTest : public testing::Test {
  protected:
   void Write(const std::string& obj) {
     folder_ = std::filesystem::path(testing::TempDir()) /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
+              (std::string("rtb_mesh_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::create_directories(folder_);
     ASSERT_TRUE(WriteFileAtomically(folder_ / "m.obj", obj));
   }
