@@ -7,15 +7,13 @@
 namespace rtb {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// An emitter is a spotlight whose only falloff is the cosine. Its place on
 /// the unit square (i / n and golden ratio steps) and on the sphere is a
 /// Fibonacci lattice: Keinert et al., "Spherical Fibonacci Mapping", SIGGRAPH
 /// Asia 2015, equation 1. Between passes the lattice moves by an R2 sequence:
 /// M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
 /// 2018; the first pass has the lattice itself.
-constexpr char kMacros[] = R"(#ifndef (Emitters)
+constexpr char kMacrosHead[] = R"(#ifndef (Emitters)
   #declare Emitters = 34;
 #end
 #declare PassNumber = PassRow * PassSide + PassColumn;
@@ -24,7 +22,9 @@ constexpr char kMacros[] = R"(#ifndef (Emitters)
 #declare Golden = 0.6180339887498949;
 #macro Emitter(At, Normal, Power)
   light_source {
-    At Power FADE
+    At Power )";
+/// They go on after the falloff.
+constexpr char kMacrosTail[] = R"(
     spotlight point_at At + Normal radius 90 falloff 90 tightness 1
   }
 #end
@@ -78,11 +78,7 @@ std::string QuadSurface(const QuadLight& light, const V3d& offset,
 
 }  // namespace
 
-std::string PovEmitterMacros() {
-  std::string text = kMacros;
-  const std::string placeholder = "FADE";
-  return text.replace(text.find(placeholder), placeholder.size(), PovFade());
-}
+std::string PovEmitterMacros() { return kMacrosHead + PovFade() + kMacrosTail; }
 
 std::string PovQuadLight(const QuadLight& light, const V3d& offset,
                          double scale) {
@@ -99,7 +95,7 @@ std::string PovSphereLight(const SphereLight& light, const V3d& offset,
                            double scale) {
   const std::string center = PovVector((light.center + offset) * scale);
   const std::string radius = PovNumber(light.radius * scale);
-  const double area = 4 * kPi * light.radius * light.radius;
+  const double area = 4 * std::numbers::pi * light.radius * light.radius;
   return "sphere { " + center + ", " + radius + " texture { " +
          Glow(light.radiance) + " } }\nSphereEmitters(" + center + ", " +
          radius + ", " + Power(light.radiance, area, scale) + ")\n";

@@ -1,12 +1,10 @@
 #include <string>
 
 #include "core/scene/flat_scene.h"
+#include "core/scene/subdivide.h"
 
 namespace rtb {
 namespace {
-
-/// More triangles than this would not fit into the memory of common machines.
-constexpr std::size_t kMostTriangles = std::size_t{1} << 26;
 
 /// One triangle of a mesh, placed in the world.
 FlatTriangle Placed(const TriangleMesh& mesh, const std::array<int, 3>& indices,
@@ -45,12 +43,12 @@ Status ExpandMeshes(const Scene& scene, FlatScene* flat) {
   for (const FlatMesh& use : flat->meshes) {
     count += scene.meshes[static_cast<std::size_t>(use.mesh)].triangles.size();
   }
-  if (count > kMostTriangles) {
+  if (count > kMaxMeshTriangles) {
     return Fail(BadInput(scene.file.string(),
                          "the scene has " + std::to_string(count) +
                              " triangles once instances are expanded, and at "
                              "most " +
-                             std::to_string(kMostTriangles) + " can be",
+                             std::to_string(kMaxMeshTriangles) + " can be",
                          "use fewer instances or a coarser mesh"));
   }
   flat->triangles.reserve(count);

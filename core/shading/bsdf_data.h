@@ -84,9 +84,4 @@ RTB_HD inline bool HasNonDelta(const BsdfData& bsdf) {
          bsdf.model == SurfaceModel::kPlastic || IsGlossy(bsdf);
 }
 
-/// Nothing is spread: EvalBsdf and PdfBsdf are 0 everywhere.
-RTB_HD inline bool IsDelta(const BsdfData& bsdf) {
-  return HasDelta(bsdf) && !HasNonDelta(bsdf);
-}
-
 }  // namespace rtb

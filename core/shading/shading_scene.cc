@@ -1,7 +1,5 @@
 #include "core/shading/shading_scene.h"
 
-#include <map>
-
 #include "core/shading/material_make.h"
 
 namespace rtb {

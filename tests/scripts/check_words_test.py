@@ -8,6 +8,7 @@ from script_case import ROOT, ScriptTest
 MARKS = ["TO" + "DO", "FIX" + "ME", "X" * 3, "HA" + "CK"]
 PLACES = ["/" + place for place in ("home/ann/x", "root/x", "tmp/out.png",
                                     "Users/ann/x")]
+WORK = "/work" + "/x"  # fine below another folder
 
 
 class CheckWordsTest(ScriptTest):
@@ -32,8 +33,8 @@ class CheckWordsTest(ScriptTest):
 
     def test_what_only_looks_like_it(self):
         self.write("core/a.cc", "mktemp a." + "X" * 6 + "; // hack, todo list\n"
-                   "read(\"/usr/share/fonts/x.ttf\", \"$HOME/work/x\",\n"
-                   "     \"docs/work/x\", \"/dev/stdout\")\n"
+                   "read(\"/usr/share/fonts/x.ttf\", \"$HOME" + WORK + "\",\n"
+                   "     \"docs" + WORK + "\", \"/dev/stdout\")\n"
                    "picture({\"" + "X" * 3 + "\", \"X..\"});\n")
         self.write("build/a.cc", MARKS[0])
         self.write("results/local/a.md", MARKS[0])

@@ -6,6 +6,7 @@
 
 #include "core/accel/surface.h"
 #include "core/math/random.h"
+#include "tests/core/accel/random_directions.h"
 
 namespace rtb {
 namespace {
@@ -112,15 +113,7 @@ TEST(EmbreeAccelTest, EmptySceneIsNothing) {
   EXPECT_EQ(traced.accel.Transmittance(Ray{}), Rgb(1));
 }
 
-/// A random unit vector for number i.
-V3f RandomDirection(std::uint32_t i) {
-  V3f v(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    v[axis] =
-        2 * UnitFloat(RandomBits(i, 0, static_cast<unsigned>(axis), 3)) - 1;
-  }
-  return v.normalized();
-}
+V3f RandomDirection(std::uint32_t i) { return testing::RandomDirection(i, 3); }
 
 /// Rays that leave a convex body outwards must never meet it again, at any
 /// scale and offset: a self-intersection would.

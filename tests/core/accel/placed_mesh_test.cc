@@ -5,18 +5,19 @@
 #include "core/accel/embree_accel.h"
 #include "core/accel/surface.h"
 #include "core/accel/surface_uv.h"
-#include "core/math/random.h"
+#include "tests/core/accel/random_directions.h"
 
 namespace rtb {
 namespace {
 
+constexpr std::uint64_t kSeed = 11;
+
 float Uniform(std::uint32_t i, std::uint32_t dimension) {
-  return UnitFloat(RandomBits(i, 0, dimension, 11));
+  return testing::Uniform(i, dimension, kSeed);
 }
 
 V3f RandomDirection(std::uint32_t i) {
-  V3f v(2 * Uniform(i, 0) - 1, 2 * Uniform(i, 1) - 1, 2 * Uniform(i, 2) - 1);
-  return v.normalized();
+  return testing::RandomDirection(i, kSeed);
 }
 
 /// A closed octahedron with uneven vertices, outward triangles.

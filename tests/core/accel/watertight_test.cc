@@ -7,18 +7,20 @@
 #include "core/accel/embree_accel.h"
 #include "core/math/random.h"
 #include "core/scene/flat_scene.h"
+#include "tests/core/accel/random_directions.h"
 #include "tests/core/scene/mesh_shapes.h"
 
 namespace rtb {
 namespace {
 
+constexpr std::uint64_t kSeed = 23;
+
 float Uniform(std::uint32_t i, std::uint32_t dimension) {
-  return UnitFloat(RandomBits(i, 0, dimension, 23));
+  return testing::Uniform(i, dimension, kSeed);
 }
 
 V3f RandomDirection(std::uint32_t i) {
-  V3f v(2 * Uniform(i, 0) - 1, 2 * Uniform(i, 1) - 1, 2 * Uniform(i, 2) - 1);
-  return v.normalized();
+  return testing::RandomDirection(i, kSeed);
 }
 
 /// How a closed icosphere gets into the accelerator.

@@ -61,5 +61,22 @@ TEST(ShadowRaysTest, NoLightIsTooWeakToBeChosen) {
   EXPECT_LT(e.error, 0.05);
 }
 
+TEST(ShadowRaysTest, APanelShinesThroughEverySheetOfGlass) {
+  // The same samples with and without three sheets: six crossings.
+  const QuadLight panel{
+      V3d(-1, 9, -1), {V3d(2, 0, 0), V3d(0, 0, 2)}, Rgb(5), 16};
+  SceneBuilder bare = Floor(1000);
+  bare.AddLight(panel);
+  SceneBuilder glazed = Floor(1000);
+  glazed.AddLight(panel);
+  const Index glass = glazed.Add(Dielectric{1.5, Rgb(0.9f)});
+  for (const double y : {3.0, 5.0, 7.0}) {
+    glazed.Add(Box{V3d(-500, y, -500), V3d(500, y + 0.5, 500)}, glass);
+  }
+  const double without = bare.Center().x;
+  EXPECT_GT(without, 0);
+  EXPECT_NEAR(glazed.Center().x, without * std::pow(0.9, 6), 1e-5 * without);
+}
+
 }  // namespace
 }  // namespace rtb

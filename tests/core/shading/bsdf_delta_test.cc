@@ -100,18 +100,17 @@ TEST(BsdfDeltaTest, EmittersAndPhongAnswerBlack) {
 
 /// What the predicates say of a model at a roughness.
 struct Predicates {
-  bool has_delta, has_spread, is_delta;
+  bool has_delta, has_spread;
 };
 
 Predicates Ask(SurfaceModel model, float roughness) {
   const BsdfData b = MakeBsdf(model, Rgb(1), 1.5f, roughness, TestEnergy());
-  return {HasDelta(b), HasNonDelta(b), IsDelta(b)};
+  return {HasDelta(b), HasNonDelta(b)};
 }
 
 void ExpectPredicates(const Predicates& p, bool delta, bool spread) {
   EXPECT_EQ(p.has_delta, delta);
   EXPECT_EQ(p.has_spread, spread);
-  EXPECT_EQ(p.is_delta, delta && !spread);
 }
 
 TEST(BsdfDeltaTest, Predicates) {
