@@ -39,6 +39,7 @@ struct EncodeContext {
   std::uint64_t seed = 0;
   int threads = 0;                     ///< Upper bound; 0 = all cores.
   const CellGrid* previous = nullptr;  ///< Last frame, for temporal encoders.
+  bool scalar = false;  ///< Without vectors: the same cells, more slowly.
 };
 
 /// An encoding and what it took.
