@@ -110,11 +110,9 @@ Result<PixelSize> ParseCellSize(const std::string& place,
                    "WIDTHxHEIGHT such as 8x16" + SidesUpTo(kMaxCellSide));
 }
 
-Status CheckSampleCount(const std::string& place, GridSize grid,
-                        int samples_per_cell) {
-  const std::int64_t samples =
-      std::int64_t{grid.columns} * grid.rows * samples_per_cell;
-  if (samples <= kMaxSamples) return {};
+Status CheckSampleCount(const std::string& place, const SamplePlan& plan) {
+  const std::size_t samples = plan.samples();
+  if (samples <= static_cast<std::size_t>(kMaxSamples)) return {};
   return Fail(BadInput(place,
                        "asks for " + std::to_string(samples) +
                            " samples, at most " + std::to_string(kMaxSamples) +

@@ -45,9 +45,8 @@ Result<PixelSize> ParseImageSize(const std::string& place,
 Result<PixelSize> ParseCellSize(const std::string& place,
                                 const std::string& text);
 
-/// Success when a grid with that many samples a cell stays under kMaxSamples.
-Status CheckSampleCount(const std::string& place, GridSize grid,
-                        int samples_per_cell);
+/// Success when a plan asks for no more than kMaxSamples.
+Status CheckSampleCount(const std::string& place, const SamplePlan& plan);
 
 /// The raster of a grid, if it stays under kMaxRasterPixels.
 Result<PixelSize> RasterSize(GridSize grid, PixelSize cell);
