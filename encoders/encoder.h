@@ -9,9 +9,9 @@
 
 #include "core/base/result.h"
 #include "core/render/fragment_source.h"
-#include "core/render/fragments.h"
-#include "core/render/sample_plan.h"
 #include "encoders/cell_grid.h"
+#include "encoders/color_depth.h"
+#include "encoders/evidence.h"
 
 namespace rtb {
 
@@ -40,12 +40,15 @@ struct EncodeContext {
   int threads = 0;                     ///< Upper bound; 0 = all cores.
   const CellGrid* previous = nullptr;  ///< Last frame, for temporal encoders.
   bool scalar = false;  ///< Without vectors: the same cells, more slowly.
+  /// The colors that the terminal has.
+  ColorDepth depth = ColorDepth::kTruecolor;
 };
 
 /// An encoding and what it took.
 struct Encoding {
   CellGrid grid;
   double rays_per_cell = 0;  ///< Samples really asked for, mean over cells.
+  Evidence evidence;         ///< What the cells were chosen from.
 };
 
 /// An encoder with its parameters fixed. Immutable and safe to share between
@@ -64,6 +67,10 @@ class Encoder {
   virtual Result<Encoding> Run(FragmentSource& source, GridSize grid,
                                double cell_aspect,
                                const EncodeContext& context) const = 0;
+
+  /// The code points that it may choose. Empty: those that it chose are all
+  /// that is known (another program's).
+  virtual std::vector<char32_t> Candidates() const { return {}; }
 };
 
 }  // namespace rtb

@@ -34,6 +34,14 @@ class Optimal : public PlanEncoder {
                        });
   }
 
+  std::vector<char32_t> Candidates() const override {
+    std::vector<char32_t> glyphs;
+    for (const FitMask& mask : atlas_.candidates()) {
+      glyphs.push_back(mask.glyph);
+    }
+    return glyphs;
+  }
+
  private:
   Atlas atlas_;
   Blend blend_;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "core/render/fragments.h"
+#include "core/render/sample_plan.h"
 #include "encoders/encoder.h"
 
 namespace rtb {

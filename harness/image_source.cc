@@ -19,8 +19,9 @@ bool HasPlansSize(const SamplePlan& plan, int width, int height) {
 
 /// The mean over one sample's footprint.
 Rgb Sample(const Image& image, const ImageMapping& map, const SamplePlan& plan,
-           int cell, int sample) {
-  const V2f& at = plan.position(cell, sample);
+           int entry, int sample) {
+  const V2f& at = plan.position(entry, sample);
+  const int cell = plan.cell(entry);
   const double u = cell % plan.grid.columns + static_cast<double>(at.x);
   const double v =
       static_cast<double>(cell / plan.grid.columns) + static_cast<double>(at.y);
@@ -66,17 +67,16 @@ ImageSource::ImageSource(const Image& linear, Fit fit, int threads)
     : linear_(linear), fit_(fit), threads_(threads) {}
 
 Result<Fragments> ImageSource::Query(const SamplePlan& plan) {
-  RTB_RETURN_IF_ERROR(
-      CheckSampleCount("--grid", plan.grid, plan.samples_per_cell));
+  RTB_RETURN_IF_ERROR(CheckSampleCount("--grid", plan));
   const ImageMapping map =
       MapImage(plan, linear_.width(), linear_.height(), fit_);
   Fragments fragments(plan);
-  ParallelFor(plan.grid.cells(), 64, threads_, [&](int begin, int end) {
-    for (int cell = begin; cell < end; ++cell) {
-      const auto samples = fragments.cell(cell);
+  ParallelFor(plan.entries(), 64, threads_, [&](int begin, int end) {
+    for (int entry = begin; entry < end; ++entry) {
+      const auto samples = fragments.cell(entry);
       for (int i = 0; i < plan.samples_per_cell; ++i) {
         samples[static_cast<std::size_t>(i)] =
-            Sample(linear_, map, plan, cell, i);
+            Sample(linear_, map, plan, entry, i);
       }
     }
   });

@@ -11,27 +11,29 @@
 
 namespace rtb {
 
-/// cells x samples, linear float RGB, cell by cell (row by row), in each cell
-/// in the plan's order.
+/// entries x samples, linear float RGB, in the plan's order: cell by cell, row
+/// by row, for a plan of all cells.
 struct Fragments {
   GridSize grid;
   int samples_per_cell = 0;
   std::vector<Rgb> values;
+  /// For each value the variance of its estimate, mean over the channels, in
+  /// squared linear units; empty where the source cannot tell. Stratification
+  /// makes the true one smaller.
+  std::vector<float> variances;
 
   Fragments() = default;
   /// Black fragments for a plan.
   explicit Fragments(const SamplePlan& plan)
       : grid(plan.grid),
         samples_per_cell(plan.samples_per_cell),
-        values(static_cast<std::size_t>(plan.grid.cells()) *
-                   static_cast<std::size_t>(plan.samples_per_cell),
-               Rgb(0)) {}
+        values(plan.samples(), Rgb(0)) {}
 
-  /// The samples of one cell.
+  /// The samples of one entry of the plan.
   std::span<Rgb> cell(int index) {
     return std::span(values).subspan(Offset(index), Count());
   }
-  /// The samples of one cell.
+  /// The samples of one entry of the plan.
   std::span<const Rgb> cell(int index) const {
     return std::span(values).subspan(Offset(index), Count());
   }

@@ -24,6 +24,35 @@ inline float Sanitized(double value) {
   return static_cast<float>(std::min(value, kLargest));
 }
 
+/// Gathers the rays of one sample.
+class MeanOfRays {
+ public:
+  void Add(const V3d& radiance) {
+    ++count_;
+    sum_ += radiance;
+    squares_ += radiance * radiance;
+  }
+
+  Rgb Mean() const {
+    const V3d mean = sum_ / count_;
+    return {Sanitized(mean.x), Sanitized(mean.y), Sanitized(mean.z)};
+  }
+
+  /// Of the mean, as if the rays were independent; mean over the channels. 0
+  /// for one ray.
+  float Variance() const {
+    if (count_ < 2) return 0;
+    const V3d spread = squares_ - sum_ * sum_ / count_;
+    return Sanitized((spread.x + spread.y + spread.z) /
+                     (3.0 * count_ * (count_ - 1)));
+  }
+
+ private:
+  int count_ = 0;
+  V3d sum_{0};
+  V3d squares_{0};
+};
+
 /// Renders the samples of one plan.
 class PlanRenderer {
  public:
@@ -42,10 +71,11 @@ class PlanRenderer {
                    RayCounts* counts) const {
     Fragments fragments(plan_);
     std::atomic<std::uint64_t> camera{0}, shadow{0}, secondary{0};
-    ParallelFor(plan_.grid.cells(), kCellsPerTask, options_.threads,
+    if (options_.spp > 1) fragments.variances.resize(plan_.samples());
+    ParallelFor(plan_.entries(), kCellsPerTask, options_.threads,
                 [&](int begin, int end) {
                   const RayCounts own =
-                      RenderCells(make_integrator, begin, end, &fragments);
+                      RenderEntries(make_integrator, begin, end, &fragments);
                   camera += own.camera;
                   shadow += own.shadow;
                   secondary += own.secondary;
@@ -55,38 +85,43 @@ class PlanRenderer {
   }
 
  private:
-  /// Cells that one task renders; results do not depend on it.
+  /// Entries that one task renders; results do not depend on it.
   static constexpr int kCellsPerTask = 64;
 
   template <class MakeIntegrator>
-  RayCounts RenderCells(const MakeIntegrator& make_integrator, int begin,
-                        int end, Fragments* fragments) const {
+  RayCounts RenderEntries(const MakeIntegrator& make_integrator, int begin,
+                          int end, Fragments* fragments) const {
     RayCounts counts;
     auto integrator = make_integrator();
-    for (int cell = begin; cell < end; ++cell) {
-      const std::span<Rgb> out = fragments->cell(cell);
+    for (int entry = begin; entry < end; ++entry) {
+      const std::span<Rgb> out = fragments->cell(entry);
       for (int s = 0; s < plan_.samples_per_cell; ++s) {
-        V3d sum(0);
+        MeanOfRays rays;
         for (int ray = 0; ray < options_.spp; ++ray) {
-          sum += V3d(integrator.Radiance(EyeSampleAt(cell, s, ray), &counts));
+          rays.Add(
+              V3d(integrator.Radiance(EyeSampleAt(entry, s, ray), &counts)));
         }
-        sum /= options_.spp;
-        out[static_cast<std::size_t>(s)] =
-            Rgb(Sanitized(sum.x), Sanitized(sum.y), Sanitized(sum.z));
+        out[static_cast<std::size_t>(s)] = rays.Mean();
+        if (!fragments->variances.empty()) {
+          fragments->variances[static_cast<std::size_t>(
+              entry * plan_.samples_per_cell + s)] = rays.Variance();
+        }
       }
     }
     return counts;
   }
 
-  EyeSample EyeSampleAt(int cell, int sample, int ray) const {
+  EyeSample EyeSampleAt(int entry, int sample, int ray) const {
+    const int cell = plan_.cell(entry);
     EyeSample eye;
     eye.pattern =
         RandomBits(static_cast<std::uint32_t>(cell),
-                   static_cast<std::uint32_t>(sample), 0, options_.seed);
+                   static_cast<std::uint32_t>(plan_.number(entry, sample)), 0,
+                   options_.seed);
     eye.index = static_cast<std::uint32_t>(ray);
     eye.seed = options_.seed;
     const V2f jitter = Jitter(eye);
-    const V2f& position = plan_.position(cell, sample);
+    const V2f& position = plan_.position(entry, sample);
     const GridSize& grid = plan_.grid;
     const double x = cell % grid.columns + double{position.x} + jitter.x;
     const double y = cell / grid.columns + double{position.y} + jitter.y;

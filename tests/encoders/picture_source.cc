@@ -9,10 +9,11 @@ namespace rtb {
 Result<Fragments> PictureSource::Query(const SamplePlan& plan) {
   plans_.push_back(plan);
   Fragments fragments(plan);
-  for (int cell = 0; cell < plan.grid.cells(); ++cell) {
-    const auto samples = fragments.cell(cell);
+  for (int entry = 0; entry < plan.entries(); ++entry) {
+    const int cell = plan.cell(entry);
+    const auto samples = fragments.cell(entry);
     for (int i = 0; i < plan.samples_per_cell; ++i) {
-      const V2f& at = plan.position(cell, i);
+      const V2f& at = plan.position(entry, i);
       const double x = cell % plan.grid.columns + double{at.x};
       const double y = cell / plan.grid.columns + double{at.y};
       Rgb& color = samples[static_cast<std::size_t>(i)];
@@ -25,7 +26,7 @@ Result<Fragments> PictureSource::Query(const SamplePlan& plan) {
 double PictureSource::samples() const {
   double sum = 0;
   for (const SamplePlan& plan : plans_) {
-    sum += static_cast<double>(plan.grid.cells()) * plan.samples_per_cell;
+    sum += static_cast<double>(plan.samples());
   }
   return sum;
 }
@@ -35,10 +36,14 @@ void ExpectSound(const SamplePlan& plan, GridSize grid, double cell_aspect) {
   EXPECT_EQ(plan.cell_aspect, cell_aspect);
   EXPECT_GT(plan.samples_per_cell, 0);
   const auto samples = static_cast<std::size_t>(plan.samples_per_cell);
-  const auto cells = static_cast<std::size_t>(grid.cells());
   EXPECT_TRUE(plan.positions.size() == samples ||
-              plan.positions.size() == cells * samples)
+              plan.positions.size() == plan.samples())
       << plan.positions.size();
+  EXPECT_TRUE(std::ranges::all_of(plan.cells, [&](int cell) {
+    return cell >= 0 && cell < grid.cells();
+  }));
+  EXPECT_TRUE(plan.samples_before.empty() ||
+              plan.samples_before.size() == plan.cells.size());
   EXPECT_TRUE(std::ranges::all_of(plan.positions, [](const V2f& position) {
     return std::min(position.x, position.y) >= 0 &&
            std::max(position.x, position.y) < 1;

@@ -65,8 +65,10 @@ TEST(ParseNumber, IsFinite) {
 
 TEST(CheckSampleCount, StopsAtTheLimit) {
   // 4096 x 4096 cells x 16 samples = 2^28, the limit itself.
-  EXPECT_TRUE(CheckSampleCount("--grid", {4096, 4096}, 16).has_value());
-  EXPECT_FALSE(CheckSampleCount("--grid", {4096, 4096}, 17).has_value());
+  EXPECT_TRUE(
+      CheckSampleCount("--grid", RegularPlan({4096, 4096}, 4, 4)).has_value());
+  EXPECT_FALSE(
+      CheckSampleCount("--grid", RegularPlan({4096, 4096}, 17, 1)).has_value());
 }
 
 TEST(RasterSize, MultipliesWithinTheLimit) {

@@ -27,6 +27,21 @@ TEST(SamplePlanTest, PositionsMayDifferFromCellToCell) {
   EXPECT_EQ(plan.position(1, 0), V2f(0.25f, 0));
 }
 
+TEST(SamplePlanTest, AsksForTheListedCellsAlone) {
+  SamplePlan plan = RegularPlan({3, 2}, 2, 1);
+  EXPECT_EQ(plan.entries(), 6);
+  EXPECT_EQ(plan.cell(4), 4);
+  EXPECT_EQ(plan.number(4, 1), 1);
+  plan.cells = {5, 2, 5};
+  EXPECT_EQ(plan.entries(), 3);
+  EXPECT_EQ(plan.samples(), 6u);
+  EXPECT_EQ(plan.cell(0), 5);
+  EXPECT_EQ(plan.number(2, 1), 1);
+  plan.samples_before = {0, 0, 2};
+  EXPECT_EQ(plan.number(2, 1), 3);
+  EXPECT_EQ(Fragments(plan).values.size(), 6u);
+}
+
 TEST(SamplePlanTest, AspectOfThePicture) {
   EXPECT_DOUBLE_EQ(RegularPlan({120, 40}, 1, 1).aspect(), 1.5);
   EXPECT_DOUBLE_EQ(PixelPlan(960, 640).aspect(), 1.5);
