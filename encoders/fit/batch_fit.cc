@@ -28,9 +28,10 @@ Cell FitLinear(const Atlas& atlas, std::span<const Rgb> linear) {
 class BatchDecider {
  public:
   BatchDecider(const Atlas& atlas, const SurveyPlan& plan,
-               std::span<Cell> cells)
+               std::span<const Rgb> linear, std::span<Cell> cells)
       : atlas_(atlas),
         plan_(plan),
+        linear_(linear),
         cells_(cells),
         samples_(static_cast<std::size_t>(atlas.width() * atlas.height())),
         batch_(plan) {}
@@ -40,7 +41,7 @@ class BatchDecider {
   static void Decide(void* context, std::size_t first, std::size_t lanes) {
     auto& decider = *static_cast<BatchDecider*>(context);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      decider.cells_[first + lane] = decider.DecideLane(lane);
+      decider.DecideLane(lane, first + lane);
     }
   }
 
@@ -53,11 +54,11 @@ class BatchDecider {
 
   double Size() const { return static_cast<double>(samples_.size()); }
 
-  Cell DecideLane(std::size_t lane) {
-    Cell cell;
+  void DecideLane(std::size_t lane, std::size_t index) {
+    Cell& cell = cells_[index];
     const bool decided = batch_.spread[lane] == 0 ? DecideFlat(lane, cell)
                                                   : DecideByBounds(lane, cell);
-    return decided ? cell : Finish(lane);
+    if (!decided) cell = Finish(lane, index);
   }
 
   /// A code for a value in steps. False when it is so near to a middle that
@@ -70,27 +71,35 @@ class BatchDecider {
 
   /// One color, so near to a code that a space is best.
   bool DecideFlat(std::size_t lane, Cell& cell) const {
-    const auto& steps = batch_.steps;
     std::array<std::uint8_t, kChannels> codes;
     for (std::size_t c = 0; c < kChannels; ++c) {
-      const int value = steps[c * SurveyBatch::stride + lane];
+      const double value = MeanOf(c, lane);
       if (!CodeOf(value, codes[c])) return false;
-      const double code = static_cast<double>(value) / kStepsPerCode;
+      const double code = value / kStepsPerCode;
       if (std::abs(code - codes[c]) > plan_.flat_limit) return false;
     }
     cell = {atlas_.candidates()[0].glyph, {}, {codes[0], codes[1], codes[2]}};
     return true;
   }
 
-  /// How far two errors of the survey may be apart though FitCell finds the
-  /// other order, or a tie: what noise may decide (WithNoise), the kNoise by
-  /// which rounding half up reaches, the rounding of colors to single
-  /// precision (8e-5 codes), that of p^2 / V. In squared codes.
-  double Margin(std::size_t lane) const {
+  /// Bound of the rounding errors in an error of the survey whose correlation
+  /// is exact, in squared codes: of p^2 / V, 10 roundings of half a unit in
+  /// the last place; of what rounding the colors costs, which is less than
+  /// n |off| for colors that err by `off`, 4 roundings of fg - bg <= the range.
+  double RoundingErrors(std::size_t lane) const {
     const double spread = batch_.spread[lane];
+    return 1e-6 * Size() + 1e-6 * spread + 3e-5 * std::sqrt(spread);
+  }
+
+  /// How far the least two errors may be apart though FitCell finds the other
+  /// order, or a tie: twice the rounding errors; what noise may decide
+  /// (WithNoise); and what rounding half up within kNoise may cost, 2 kNoise
+  /// in each channel of each sub-pixel.
+  double Margin(std::size_t lane) const {
     constexpr double kNoiseCodes = kNoise * 255;
-    const double rounding = 10 * kNoiseCodes * Size();
-    return rounding + kNoiseCodes * std::sqrt(spread) + 4e-6 * spread;
+    const double error = batch_.spread[lane] + Size();
+    return 2 * RoundingErrors(lane) + 2 * kNoiseCodes * std::sqrt(error) +
+           6 * kNoiseCodes * Size();
   }
 
   /// The least error is well below all others, and its colors are clear.
@@ -118,20 +127,33 @@ class BatchDecider {
     return true;
   }
 
-  /// As FitCell, but with the survey's bounds.
-  Cell Finish(std::size_t lane) {
-    for (std::size_t s = 0; s < samples_.size(); ++s) {
+  /// The cell's samples in the blend space; from the survey, where it has kept
+  /// them.
+  void ReadSamples(std::size_t lane, std::size_t index) {
+    const std::size_t count = samples_.size();
+    if (!plan_.has_pixels) {
+      ToBlend(Blend::kSrgb, linear_.subspan(index * count, count), samples_);
+      return;
+    }
+    for (std::size_t s = 0; s < count; ++s) {
       const auto step = [&](std::size_t c) {
-        return batch_.steps[(kChannels * s + c) * SurveyBatch::stride + lane];
+        constexpr std::size_t kStride = SurveyBatch::stride;
+        const float rest = batch_.pixels[(kChannels * s + c) * kStride + lane];
+        return static_cast<int>(rest) + batch_.mean[c * kStride + lane];
       };
       samples_[s] = FromSteps({step(0), step(1), step(2)});
     }
+  }
+
+  /// As FitCell, but with the survey's bounds.
+  Cell Finish(std::size_t lane, std::size_t index) {
+    ReadSamples(lane, index);
     const CenteredSamples centered = Center(samples_);
     prospects_.assign(atlas_.candidates().size(), Prospect());
-    const double margin = Margin(lane);
+    const double slack = RoundingErrors(lane);
     for (std::size_t i = 0; i < plan_.candidates.size(); ++i) {
       const double error =
-          (batch_.errors[i * SurveyBatch::stride + lane] - margin) /
+          (batch_.errors[i * SurveyBatch::stride + lane] - slack) /
           (255.0 * 255.0);
       prospects_[static_cast<std::size_t>(plan_.candidates[i].index)].least =
           centered.squares + error;
@@ -148,6 +170,7 @@ class BatchDecider {
 
   const Atlas& atlas_;
   const SurveyPlan& plan_;
+  std::span<const Rgb> linear_;
   std::span<Cell> cells_;
   std::vector<V3d> samples_;
   std::vector<Prospect> prospects_;
@@ -168,7 +191,7 @@ void BatchFit::Fit(std::span<const Rgb> linear, std::span<Cell> cells) const {
   RTB_CHECK_EQ(linear.size(), samples * cells.size());
   std::size_t done = 0;
   if (plan_) {
-    BatchDecider decider(atlas_, *plan_, cells);
+    BatchDecider decider(atlas_, *plan_, linear, cells);
     done = SurveyCells(*plan_, linear, cells.size(), decider.batch(),
                        BatchDecider::Decide, &decider);
   }

@@ -1,5 +1,9 @@
 #include "encoders/fit/survey.h"
 
+#include <hwy/cache_control.h>
+
+#include <bit>
+
 #include "core/base/check.h"
 
 // This file is compiled once for each target.
@@ -45,119 +49,155 @@ struct Channels {
   V r, g, b;
 };
 
-/// The samples of a batch of cells in steps, read, stored and summed.
+HWY_INLINE Channels<I> LoadTriple(const std::vector<std::int32_t>& values,
+                                  std::size_t i) {
+  return {LoadInts(values, kChannels * i), LoadInts(values, kChannels * i + 1),
+          LoadInts(values, kChannels * i + 2)};
+}
+HWY_INLINE void PutTriple(const Channels<I>& v,
+                          std::vector<std::int32_t>& values, std::size_t i) {
+  Put(v.r, values, kChannels * i);
+  Put(v.g, values, kChannels * i + 1);
+  Put(v.b, values, kChannels * i + 2);
+}
+HWY_INLINE Channels<I> operator+(const Channels<I>& a, const Channels<I>& b) {
+  return {hn::Add(a.r, b.r), hn::Add(a.g, b.g), hn::Add(a.b, b.b)};
+}
+HWY_INLINE Channels<I> operator-(const Channels<I>& a, const Channels<I>& b) {
+  return {hn::Sub(a.r, b.r), hn::Sub(a.g, b.g), hn::Sub(a.b, b.b)};
+}
+HWY_INLINE Channels<I> operator*(const Channels<I>& a, int b) {
+  return {hn::Mul(a.r, Same(b)), hn::Mul(a.g, Same(b)), hn::Mul(a.b, Same(b))};
+}
+HWY_INLINE Channels<I> SameInAll(int v) { return {Same(v), Same(v), Same(v)}; }
+
+/// The samples of a batch of cells in steps, read, kept and summed.
 class SampleReader {
  public:
   HWY_INLINE SampleReader(const SurveyPlan& plan, const float* linear,
                           SurveyBatch& batch)
-      : bands_(plan.bands), linear_(linear), batch_(batch) {}
+      : bands_(plan.bands),
+        samples_(plan.bands.width * plan.bands.height),
+        keeps_(plan.has_pixels),
+        linear_(linear),
+        batch_(batch) {}
 
   HWY_INLINE void Read() {
-    const int samples = bands_.width * bands_.height;
     cell_ = hn::Mul(hn::Iota(SurveyInts(), 0),
-                    Same(static_cast<int>(kChannels) * samples));
+                    Same(static_cast<int>(kChannels) * samples_));
     for (int x = 0; x < bands_.width; ++x) {
-      for (std::size_t c = 0; c < kChannels; ++c) {
-        Put(Same(0), batch_.bands, BandAt(bands_.column(x), c));
-      }
+      PutTriple(SameInAll(0), batch_.bands, ColumnAt(x));
     }
-    F spread = Same(0.0f);
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      spread = hn::Add(spread, ReadChannel(c));
+    Channels<I> total = SameInAll(0);
+    for (int y = 0; y < bands_.height; ++y) {
+      const auto row = 2 * static_cast<std::size_t>(y);
+      const Channels<I> left = ReadHalf(y, 0, bands_.middle());
+      const Channels<I> right = ReadHalf(y, bands_.middle(), bands_.width);
+      PutTriple(left, batch_.bands, row);
+      PutTriple(right, batch_.bands, row + 1);
+      total = total + left + right;
     }
+    Center(total);
     // Values in a range of width w are w^2 / 4 from their mean at most, in the
     // mean of the squares.
-    Put(hn::Mul(spread, Same(0.25f * static_cast<float>(samples))),
+    const F squares = hn::Add(
+        hn::Add(SquaredRange(low_.r, high_.r), SquaredRange(low_.g, high_.g)),
+        SquaredRange(low_.b, high_.b));
+    Put(hn::Mul(squares, Same(0.25f * static_cast<float>(samples_))),
         batch_.spread, 0);
   }
 
  private:
-  static HWY_INLINE std::size_t BandAt(int band, std::size_t c) {
-    return kChannels * static_cast<std::size_t>(band) + c;
+  HWY_INLINE std::size_t ColumnAt(int x) const {
+    return static_cast<std::size_t>(bands_.column(x));
   }
 
-  HWY_INLINE I ReadSample(std::size_t value) {
+  HWY_INLINE I ReadValue(std::size_t value) const {
     const SurveyFloats d;
     const F linear = hn::GatherIndex(d, linear_ + value, cell_);
     const F encoded = SrgbCurveOf(d, linear, table_);
-    const I steps =
-        hn::NearestInt(hn::Mul(encoded, Same(static_cast<float>(kWhiteSteps))));
-    Put(steps, batch_.steps, value);
-    return steps;
+    return hn::NearestInt(
+        hn::Mul(encoded, Same(static_cast<float>(kWhiteSteps))));
   }
 
-  /// Squared range of one channel, in codes.
-  HWY_INLINE F ReadChannel(std::size_t c) {
-    I total = Same(0);
-    low_ = Same(kWhiteSteps);
-    high_ = Same(0);
-    for (int y = 0; y < bands_.height; ++y) {
-      const I left = ReadHalf(y, 0, bands_.middle(), c);
-      const I right = ReadHalf(y, bands_.middle(), bands_.width, c);
-      Put(left, batch_.bands, BandAt(2 * y, c));
-      Put(right, batch_.bands, BandAt(2 * y + 1, c));
-      total = hn::Add(total, hn::Add(left, right));
-    }
-    Center(total, c);
-    const F range =
-        hn::Mul(ToFloats(hn::Sub(high_, low_)), Same(1.0f / kStepsPerCode));
-    return hn::Mul(range, range);
-  }
-
-  HWY_INLINE I ReadHalf(int y, int begin, int end, std::size_t c) {
-    I sum = Same(0);
+  HWY_INLINE Channels<I> ReadHalf(int y, int begin, int end) {
+    Channels<I> sum = SameInAll(0);
     for (int x = begin; x < end; ++x) {
       const auto sample = static_cast<std::size_t>(y * bands_.width + x);
-      const I steps = ReadSample(kChannels * sample + c);
-      sum = hn::Add(sum, steps);
-      low_ = hn::Min(low_, steps);
-      high_ = hn::Max(high_, steps);
-      const std::size_t column = BandAt(bands_.column(x), c);
-      Put(hn::Add(LoadInts(batch_.bands, column), steps), batch_.bands, column);
+      const std::size_t at = kChannels * sample;
+      const Channels<I> steps = {ReadValue(at), ReadValue(at + 1),
+                                 ReadValue(at + 2)};
+      if (keeps_) Keep(steps, at);
+      sum = sum + steps;
+      low_ = {hn::Min(low_.r, steps.r), hn::Min(low_.g, steps.g),
+              hn::Min(low_.b, steps.b)};
+      high_ = {hn::Max(high_.r, steps.r), hn::Max(high_.g, steps.g),
+               hn::Max(high_.b, steps.b)};
+      PutTriple(LoadTriple(batch_.bands, ColumnAt(x)) + steps, batch_.bands,
+                ColumnAt(x));
     }
     return sum;
   }
 
-  /// Takes the mean off the bands: all exact, as sums are below 2^28.
-  HWY_INLINE void Center(I total, std::size_t c) {
-    const int samples = bands_.width * bands_.height;
-    const F share = Same(1.0f / static_cast<float>(samples));
-    const I mean = hn::NearestInt(hn::Mul(ToFloats(total), share));
-    Put(mean, batch_.mean, c);
-    Put(hn::Sub(total, hn::Mul(mean, Same(samples))), batch_.rest, c);
-    const auto take_off = [&](int band, int count) HWY_ATTR {
-      const std::size_t at = BandAt(band, c);
-      Put(hn::Sub(LoadInts(batch_.bands, at), hn::Mul(mean, Same(count))),
-          batch_.bands, at);
-    };
+  HWY_INLINE void Keep(const Channels<I>& steps, std::size_t at) {
+    Put(ToFloats(steps.r), batch_.pixels, at);
+    Put(ToFloats(steps.g), batch_.pixels, at + 1);
+    Put(ToFloats(steps.b), batch_.pixels, at + 2);
+  }
+
+  static HWY_INLINE F SquaredRange(I low, I high) {
+    const F range =
+        hn::Mul(ToFloats(hn::Sub(high, low)), Same(1.0f / kStepsPerCode));
+    return hn::Mul(range, range);
+  }
+
+  HWY_INLINE I MeanOf(I total) const {
+    return hn::NearestInt(
+        hn::Mul(ToFloats(total), Same(1.0f / static_cast<float>(samples_))));
+  }
+
+  /// Takes the mean off what was summed: all exact, as sums are below 2^28.
+  HWY_INLINE void Center(const Channels<I>& total) {
+    const Channels<I> mean = {MeanOf(total.r), MeanOf(total.g),
+                              MeanOf(total.b)};
+    PutTriple(mean, batch_.mean, 0);
+    PutTriple(total - mean * samples_, batch_.rest, 0);
     for (int y = 0; y < bands_.height; ++y) {
-      take_off(2 * y, bands_.middle());
-      take_off(2 * y + 1, bands_.width - bands_.middle());
+      TakeOff(mean * bands_.middle(), 2 * y);
+      TakeOff(mean * (bands_.width - bands_.middle()), 2 * y + 1);
     }
     for (int x = 0; x < bands_.width; ++x) {
-      take_off(bands_.column(x), bands_.height);
+      TakeOff(mean * bands_.height, bands_.column(x));
+    }
+    if (!keeps_) return;
+    const Channels<F> shift = {ToFloats(mean.r), ToFloats(mean.g),
+                               ToFloats(mean.b)};
+    const auto values = kChannels * static_cast<std::size_t>(samples_);
+    for (std::size_t at = 0; at < values; at += kChannels) {
+      const auto move = [&](std::size_t i, F by) HWY_ATTR {
+        Put(hn::Sub(LoadFloats(batch_.pixels, i), by), batch_.pixels, i);
+      };
+      move(at, shift.r);
+      move(at + 1, shift.g);
+      move(at + 2, shift.b);
     }
   }
 
+  HWY_INLINE void TakeOff(const Channels<I>& sum, int band) {
+    const auto at = static_cast<std::size_t>(band);
+    PutTriple(LoadTriple(batch_.bands, at) - sum, batch_.bands, at);
+  }
+
   const SurveyBands bands_;
+  const int samples_;
+  const bool keeps_;
   const float* linear_;
   SurveyBatch& batch_;
   const SrgbCurveTable& table_ = SrgbCurve();
   I cell_ = Same(0);
-  I low_ = Same(0);
-  I high_ = Same(0);
+  Channels<I> low_ = SameInAll(kWhiteSteps);
+  Channels<I> high_ = SameInAll(0);
 };
-
-/// Samples less the mean, as floats: whole numbers below 2^21.
-HWY_INLINE void CenterPixels(int samples, SurveyBatch& batch) {
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    const I mean = LoadInts(batch.mean, c);
-    for (std::size_t s = 0; s < static_cast<std::size_t>(samples); ++s) {
-      const std::size_t at = kChannels * s + c;
-      Put(ToFloats(hn::Sub(LoadInts(batch.steps, at), mean)), batch.pixels, at);
-    }
-  }
-}
 
 /// The errors of all candidates.
 class CandidateSurvey {
@@ -170,13 +210,17 @@ class CandidateSurvey {
       return ToFloats(LoadInts(batch.rest, c));
     };
     rest_ = {rest(0), rest(1), rest(2)};
-    const auto mean = [&](std::size_t c, F r) HWY_ATTR {
-      const F whole = ToFloats(LoadInts(batch.mean, c));
-      return hn::Mul(hn::MulAdd(r, Same(1 / samples), whole),
-                     Same(1.0f / kStepsPerCode));
+    const auto offset = [&](std::size_t c, F r) HWY_ATTR {
+      const I mean = LoadInts(batch.mean, c);
+      constexpr int kShift = std::countr_zero(unsigned{kStepsPerCode});
+      const I code = hn::ShiftLeft<kShift>(hn::ShiftRight<kShift>(mean));
+      return hn::Mul(
+          hn::MulAdd(r, Same(1 / samples), ToFloats(hn::Sub(mean, code))),
+          Same(1.0f / kStepsPerCode));
     };
-    mean_ = {mean(0, rest_.r), mean(1, rest_.g), mean(2, rest_.b)};
+    mean_ = {offset(0, rest_.r), offset(1, rest_.g), offset(2, rest_.b)};
     spread_ = LoadFloats(batch.spread, 0);
+    root_ = hn::Sqrt(spread_);
   }
 
   HWY_INLINE void Run() {
@@ -207,7 +251,9 @@ class CandidateSurvey {
         hn::Add(hn::Add(ChannelError(candidate, sum.r, rest_.r, mean_.r),
                         ChannelError(candidate, sum.g, rest_.g, mean_.g)),
                 ChannelError(candidate, sum.b, rest_.b, mean_.b));
-    return hn::NegMulAdd(Same(candidate.slack), spread_, error);
+    return hn::NegMulAdd(
+        Same(candidate.slack), spread_,
+        hn::NegMulAdd(Same(candidate.root_slack), root_, error));
   }
 
   /// What one channel leaves: the squared distance of two codes from the best
@@ -262,7 +308,7 @@ class CandidateSurvey {
 
   HWY_INLINE Channels<F> SumDifference(const SurveyCandidate& candidate,
                                        std::size_t i) {
-    Channels<I> sum = {Same(0), Same(0), Same(0)};
+    Channels<I> sum = SameInAll(0);
     if (candidate.parent >= 0) {
       sum = LoadTriple(batch_.sums, static_cast<std::size_t>(candidate.parent));
     }
@@ -270,25 +316,10 @@ class CandidateSurvey {
       const SurveyTerm& term = plan_.terms[t];
       const Channels<I> band =
           LoadTriple(batch_.bands, static_cast<std::size_t>(term.index));
-      if (term.weight > 0) {
-        sum = {hn::Add(sum.r, band.r), hn::Add(sum.g, band.g),
-               hn::Add(sum.b, band.b)};
-      } else {
-        sum = {hn::Sub(sum.r, band.r), hn::Sub(sum.g, band.g),
-               hn::Sub(sum.b, band.b)};
-      }
+      sum = term.weight > 0 ? sum + band : sum - band;
     }
-    Put(sum.r, batch_.sums, kChannels * i);
-    Put(sum.g, batch_.sums, kChannels * i + 1);
-    Put(sum.b, batch_.sums, kChannels * i + 2);
+    PutTriple(sum, batch_.sums, i);
     return {ToFloats(sum.r), ToFloats(sum.g), ToFloats(sum.b)};
-  }
-
-  static HWY_INLINE Channels<I> LoadTriple(
-      const std::vector<std::int32_t>& values, std::size_t i) {
-    return {LoadInts(values, kChannels * i),
-            LoadInts(values, kChannels * i + 1),
-            LoadInts(values, kChannels * i + 2)};
   }
 
   HWY_INLINE Channels<F> SumBands(const SurveyCandidate& candidate) {
@@ -321,20 +352,30 @@ class CandidateSurvey {
   const SurveyPlan& plan_;
   SurveyBatch& batch_;
   Channels<F> rest_;
-  Channels<F> mean_;  ///< In codes.
+  Channels<F> mean_;  ///< In codes, from a whole code on.
   F spread_;
+  F root_;
 };
+
+/// Has memory that is read soon brought near.
+HWY_INLINE void Expect(const float* values, std::size_t count) {
+  constexpr std::size_t kLine = 64 / sizeof(float);
+  for (std::size_t i = 0; i < count; i += kLine) hwy::Prefetch(values + i);
+}
 
 std::size_t SurveyAll(const SurveyPlan& plan, const float* linear,
                       std::size_t cells, SurveyBatch& batch,
                       SurveyCallback decide, void* context) {
   const std::size_t lanes = hn::Lanes(SurveyFloats());
-  const int samples = plan.bands.width * plan.bands.height;
-  const std::size_t values = kChannels * static_cast<std::size_t>(samples);
+  const auto samples =
+      static_cast<std::size_t>(plan.bands.width * plan.bands.height);
+  const std::size_t values = kChannels * samples;
   std::size_t cell = 0;
   for (; cell + lanes <= cells; cell += lanes) {
-    SampleReader(plan, linear + cell * values, batch).Read();
-    if (plan.has_pixels) CenterPixels(samples, batch);
+    const float* const first = linear + cell * values;
+    SampleReader(plan, first, batch).Read();
+    if (cell + 2 * lanes <= cells)
+      Expect(first + lanes * values, lanes * values);
     CandidateSurvey(plan, batch).Run();
     decide(context, cell, lanes);
   }
@@ -355,7 +396,6 @@ SurveyBatch::SurveyBatch(const SurveyPlan& plan) {
   const auto samples =
       static_cast<std::size_t>(plan.bands.width * plan.bands.height);
   const std::size_t candidates = plan.candidates.size();
-  steps.resize(3 * samples * stride);
   if (plan.has_pixels) pixels.resize(3 * samples * stride);
   mean.resize(3 * stride);
   rest.resize(3 * stride);

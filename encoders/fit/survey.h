@@ -17,7 +17,8 @@ namespace rtb {
 
 /// What the survey found of as many cells as there are lanes. Values of one
 /// kind stand lane by lane, `stride` lanes apart: of lane i the channel c of
-/// sample s is steps[(3 s + c) * stride + i]. Squared errors are in codes.
+/// band b is bands[(3 b + c) * stride + i]. Squared errors are in codes, all
+/// else in steps.
 struct SurveyBatch {
   explicit SurveyBatch(const SurveyPlan& plan);
 
@@ -27,8 +28,7 @@ struct SurveyBatch {
   template <class T>
   using Values = std::vector<T>;
 
-  Values<std::int32_t> steps;  ///< Samples, in steps.
-  Values<std::int32_t> mean;   ///< Of each channel, nearly, in whole steps.
+  Values<std::int32_t> mean;   ///< Of each channel, nearly.
   Values<std::int32_t> rest;   ///< Sum of the samples - n mean.
   Values<std::int32_t> bands;  ///< Sums of samples - mean.
   Values<std::int32_t> sums;   ///< Correlations of kDifference, exactly.

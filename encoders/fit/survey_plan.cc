@@ -75,8 +75,7 @@ class PlanMaker {
       AddTerms(candidate, SurveyWay::kBands, *weights);
     }
     candidate.end_term = plan_.terms.size();
-    if (candidate.way != SurveyWay::kDifference)
-      candidate.slack = Slack(mask, candidate);
+    if (candidate.way != SurveyWay::kDifference) SetSlack(mask, candidate);
     whole_.push_back(candidate.way == SurveyWay::kDifference ? *weights
                                                              : BandWeights());
     plan_.candidates.push_back(candidate);
@@ -129,16 +128,21 @@ class PlanMaker {
     }
   }
 
-  /// A sum p of K rounded products errs by at most (K + 3) u sum |x|, u the
-  /// unit roundoff, sum |x| <= (n S)^1/2 and |p| <= (V S)^1/2; so p^2 / V errs
-  /// by at most 2 (K + 3) u (n / V)^1/2 S.
-  static float Slack(const FitMask& mask, const SurveyCandidate& candidate) {
-    if (mask.constant()) return 0;
-    constexpr double kRoundoff = 0x1p-24;
+  /// A sum p of K rounded products errs by at most e = (K + 3) u sum |x|, u
+  /// the unit roundoff, sum |x| <= (n S)^1/2 and |p| <= (V S)^1/2; so p^2 / V
+  /// errs by at most 2 (K + 3) u (n / V)^1/2 S. The colors err by at most e / V
+  /// in each channel, and what rounding them costs by n e / V: less than half
+  /// a code, squared, for each sub-pixel.
+  static void SetSlack(const FitMask& mask, SurveyCandidate& candidate) {
+    if (mask.constant()) return;
+    const double n = mask.size();
     const auto terms =
         static_cast<double>(candidate.end_term - candidate.first_term);
-    return static_cast<float>(2.1 * (terms + 3) * kRoundoff *
-                              std::sqrt(mask.size() / mask.variance));
+    const double share = 1.05 * (terms + 3) * 0x1p-24;
+    candidate.slack =
+        static_cast<float>(2 * share * std::sqrt(n / mask.variance));
+    candidate.root_slack =
+        static_cast<float>(3 * n * share * std::sqrt(n) / mask.variance);
   }
 
   SurveyPlan& plan_;

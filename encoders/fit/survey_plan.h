@@ -46,7 +46,9 @@ struct SurveyCandidate {
   float inverse_variance;  ///< 1 / V; 0 for a constant mask.
   float aa, twice_ab, bb;  ///< Sums of m^2, 2 m (1 - m), (1 - m)^2.
   float covered, free;     ///< Sub-pixels of coverage 1, and of 0.
-  float slack;  ///< Bound of the error's error, in shares of the squares' sum.
+  /// Bound of what single precision makes of the correlation's error: in
+  /// shares of the sum of squares, and of its root.
+  float slack, root_slack;
 };
 
 /// Immutable; safe to share between threads.
