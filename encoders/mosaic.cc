@@ -3,6 +3,7 @@
 #include <array>
 
 #include "encoders/encode_cells.h"
+#include "encoders/glyphs/patterns.h"
 #include "encoders/partition.h"
 #include "encoders/plan_encoder.h"
 
@@ -15,6 +16,10 @@ constexpr int kMaxRows = 4;
 class Mosaic : public PlanEncoder {
  public:
   Mosaic(const MosaicKind& kind, Blend blend) : kind_(kind), blend_(blend) {}
+
+  std::vector<char32_t> Candidates() const override {
+    return GlyphsOfPatterns(kind_.glyph, kColumns * kind_.rows);
+  }
 
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {

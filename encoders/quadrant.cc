@@ -69,6 +69,10 @@ class Quadrant : public PlanEncoder {
  public:
   Quadrant(Split split, Blend blend) : split_(split), blend_(blend) {}
 
+  std::vector<char32_t> Candidates() const override {
+    return GlyphsOfPatterns(QuadrantGlyph, kSamples);
+  }
+
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, 2, 2, cell_aspect);
