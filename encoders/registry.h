@@ -44,6 +44,12 @@ Result<EncoderSpec> ParseEncoderSpec(std::string_view text);
 /// parameters stand before it: `external:timeout=60:COMMAND`.
 Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text);
 
+/// Makes an entry's encoder, with the modifiers that any takes
+/// (modifiers/modifiers.h) around it.
+/// @param given the entry's parameters and modifiers, checked by name.
+Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderEntry& entry,
+                                             const EncoderParameters& given);
+
 /// Makes the encoder that a SPEC names.
 Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderSpec& spec);
 

@@ -66,6 +66,17 @@ TEST(EmitSvgTest, DrawsShadesTranslucentAndFullBlocksWithoutBackground) {
                               "fill=\"#ff0000\"/>\n</svg>"));
 }
 
+// U+1FB3C in the second cell: (0, 2/3), (1/2, 1) and the lower left corner.
+TEST(EmitSvgTest, DrawsWedgesAsPolygons) {
+  const std::string svg = EmitSvg(
+      Row({{U' ', kRed, kBlue}, {char32_t{0x1FB3C}, kRed, kBlue}}), 12, 24);
+  EXPECT_THAT(svg, testing::HasSubstr(
+                       "<rect x=\"0\" y=\"0\" width=\"24\" height=\"24\" "
+                       "fill=\"#0000ff\"/>\n"
+                       "<polygon points=\"18,24 12,24 12,16\" fill=\"#ff0000\" "
+                       "shape-rendering=\"geometricPrecision\"/>\n</svg>"));
+}
+
 // Thirds of 16 rows.
 TEST(EmitSvgTest, KeepsFractions) {
   EXPECT_THAT(EmitSvg(Row({{char32_t{0x1FB00}, kRed, kBlue}}), 8, 16),
