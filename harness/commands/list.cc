@@ -35,6 +35,9 @@ Json Encoders() {
     list.push_back({{"name", entry.info.name},
                     {"samples_per_cell", entry.info.samples_per_cell},
                     {"glyphs", entry.info.glyphs},
+                    {"version", entry.info.version},
+                    {"available", entry.info.why_not.empty()},
+                    {"why_not", entry.info.why_not},
                     {"description", entry.info.description},
                     {kParameters, parameters}});
   }
