@@ -77,6 +77,7 @@ Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
   EncodeContext context;
   context.seed = scene.options.seed;
   context.threads = scene.options.threads;
+  context.depth = request.depth;
   RTB_ASSIGN_OR_RETURN(TimedEncoding run,
                        RunEncoder(*configuration.encoder, source, request.grid,
                                   CellAspect(request.decode), context));
@@ -155,6 +156,7 @@ RunSettings SharedSettings(const BenchRequest& request,
   settings.exposure = scene.exposure;
   settings.cell = CellOf(request.decode);
   settings.reference = reference.name;
+  settings.color = NameOf(request.depth);
   settings.decode =
       request.decode.masks == MaskSource::kFont ? "font" : "geometric";
   return settings;
