@@ -40,15 +40,17 @@ using FloatMask = hn::Mask<FloatLanes>;
 constexpr std::size_t kMaxLanes = hn::MaxLanes(FloatLanes());
 
 /// kCount vectors in memory, one after the other.
-template <std::size_t kCount>
+template <std::size_t kCount, class T = float>
 struct LaneArray {
-  HWY_ALIGN_MAX float values[kCount * kMaxLanes];
+  using Lanes = hn::ScalableTag<T>;
 
-  Floats operator[](std::size_t i) const {
-    return hn::Load(FloatLanes(), values + i * kMaxLanes);
+  HWY_ALIGN_MAX T values[kCount * kMaxLanes];
+
+  hn::Vec<Lanes> operator[](std::size_t i) const {
+    return hn::Load(Lanes(), values + i * kMaxLanes);
   }
-  void Set(std::size_t i, Floats v) {
-    hn::Store(v, FloatLanes(), values + i * kMaxLanes);
+  void Set(std::size_t i, hn::Vec<Lanes> v) {
+    hn::Store(v, Lanes(), values + i * kMaxLanes);
   }
 };
 
@@ -134,18 +136,18 @@ HWY_INLINE Ints CodesOfMeans(Floats sum, Floats count, Floats reciprocal) {
                        hn::Mul(hn::Add(codes, hn::Set(d, 0.5f)), reciprocal));
 }
 
-/// Three codes in each lane.
-struct CodeLanes {
-  Ints r, g, b;
-};
+/// The codes of a color in each lane: red, then green, then blue from the
+/// lowest byte on.
+HWY_INLINE Ints PackCodes(Ints r, Ints g, Ints b) {
+  return hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), hn::ShiftLeft<16>(b));
+}
 
-HWY_INLINE CodeLanes CodesOfMeans(const ColorLanes& sum, Floats count) {
-  const FloatLanes d;
-  const Floats one = hn::Set(d, 1);
+HWY_INLINE Ints CodesOfMeans(const ColorLanes& sum, Floats count) {
+  const Floats one = hn::Set(FloatLanes(), 1);
   const Floats reciprocal = hn::Div(one, hn::Max(count, one));
-  return {CodesOfMeans(sum.r, count, reciprocal),
-          CodesOfMeans(sum.g, count, reciprocal),
-          CodesOfMeans(sum.b, count, reciprocal)};
+  return PackCodes(CodesOfMeans(sum.r, count, reciprocal),
+                   CodesOfMeans(sum.g, count, reciprocal),
+                   CodesOfMeans(sum.b, count, reciprocal));
 }
 
 // A cell is three 32-bit words: the glyph; foreground and the background's
@@ -153,14 +155,11 @@ HWY_INLINE CodeLanes CodesOfMeans(const ColorLanes& sum, Floats count) {
 static_assert(sizeof(Cell) == 12 && std::endian::native == std::endian::little);
 static_assert(offsetof(Cell, fg) == 4 && offsetof(Cell, bg) == 7);
 
-/// Writes one cell a lane.
-HWY_INLINE void StoreCells(Ints glyph, const CodeLanes& fg, const CodeLanes& bg,
-                           Cell* cells) {
+/// Writes one cell a lane, of packed codes.
+HWY_INLINE void StoreCells(Ints glyph, Ints fg, Ints bg, Cell* cells) {
   const hn::RebindToUnsigned<IntLanes> du;
-  const Ints colors =
-      hn::Or(hn::Or(fg.r, hn::ShiftLeft<8>(fg.g)),
-             hn::Or(hn::ShiftLeft<16>(fg.b), hn::ShiftLeft<24>(bg.r)));
-  const Ints rest = hn::Or(bg.g, hn::ShiftLeft<8>(bg.b));
+  const Ints colors = hn::Or(fg, hn::ShiftLeft<24>(bg));
+  const Ints rest = hn::ShiftRight<8>(bg);
   HWY_ALIGN std::uint32_t words[3 * kMaxLanes];
   hn::StoreInterleaved3(hn::BitCast(du, glyph), hn::BitCast(du, colors),
                         hn::BitCast(du, rest), du, words);
