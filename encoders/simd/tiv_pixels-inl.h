@@ -12,7 +12,10 @@
 
 #include <hwy/highway.h>
 
+#include <utility>
+
 #include "encoders/simd/cells-inl.h"
+#include "encoders/simd/sorting_network.h"
 #include "encoders/tiv_cell.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -82,23 +85,27 @@ struct DominantColors {
   hn::Mask<IntLanes> direct;  ///< Together they cover more than half.
 };
 
-/// Batcher's odd-even merge sort (Knuth, The Art of Computer Programming,
-/// volume 3, algorithm 5.2.2M).
+/// Puts two of the values in order.
+template <std::size_t kLow, std::size_t kHigh, std::size_t kCount>
+HWY_INLINE void CompareExchange(LaneArray<kCount>& values) {
+  const Floats a = values[kLow];
+  const Floats b = values[kHigh];
+  values.Set(kLow, hn::Min(a, b));
+  values.Set(kHigh, hn::Max(a, b));
+}
+
+/// Straight-line code, which keeps most values in registers.
+template <std::size_t kCount, std::size_t... kIndices>
+HWY_INLINE void SortBy(LaneArray<kCount>& values,
+                       std::index_sequence<kIndices...> /*all*/) {
+  constexpr const auto& kNetwork = kSortingNetwork<kCount>;
+  (CompareExchange<kNetwork.low[kIndices], kNetwork.high[kIndices]>(values),
+   ...);
+}
+
 template <std::size_t kCount>
 HWY_INLINE void Sort(LaneArray<kCount>& values) {
-  for (std::size_t p = 1; p < kCount; p *= 2) {
-    for (std::size_t k = p; k > 0; k /= 2) {
-      for (std::size_t j = k % p; j + k < kCount; j += 2 * k) {
-        for (std::size_t i = j; i < j + k && i + k < kCount; ++i) {
-          if (i / (2 * p) != (i + k) / (2 * p)) continue;
-          const Floats a = values[i];
-          const Floats b = values[i + k];
-          values.Set(i, hn::Min(a, b));
-          values.Set(i + k, hn::Max(a, b));
-        }
-      }
-    }
-  }
+  SortBy(values, std::make_index_sequence<kSortingNetwork<kCount>.size>());
 }
 
 /// Sorts the colors and looks for the two longest runs; of equal ones the
