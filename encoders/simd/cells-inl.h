@@ -23,36 +23,13 @@
 #include "core/color/srgb-inl.h"
 #include "encoders/blend.h"
 #include "encoders/cell.h"
+#include "encoders/simd/transpose-inl.h"
 #include "encoders/steps.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtb {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using FloatLanes = hn::ScalableTag<float>;
-using IntLanes = hn::RebindToSigned<FloatLanes>;
-using Floats = hn::Vec<FloatLanes>;
-using Ints = hn::Vec<IntLanes>;
-using FloatMask = hn::Mask<FloatLanes>;
-
-/// Room for one value in each lane.
-constexpr std::size_t kMaxLanes = hn::MaxLanes(FloatLanes());
-
-/// kCount vectors in memory, one after the other.
-template <std::size_t kCount, class T = float>
-struct LaneArray {
-  using Lanes = hn::ScalableTag<T>;
-
-  HWY_ALIGN_MAX T values[kCount * kMaxLanes];
-
-  hn::Vec<Lanes> operator[](std::size_t i) const {
-    return hn::Load(Lanes(), values + i * kMaxLanes);
-  }
-  void Set(std::size_t i, hn::Vec<Lanes> v) {
-    hn::Store(v, Lanes(), values + i * kMaxLanes);
-  }
-};
 
 /// A color in each lane.
 struct ColorLanes {
@@ -93,16 +70,14 @@ struct ColorArray {
 /// `linear` on.
 template <std::size_t kSamples>
 HWY_INLINE void LoadSteps(const float* linear, ColorArray<kSamples>& steps) {
+  constexpr std::size_t kValues = 3 * kSamples;
   const FloatLanes d;
-  const IntLanes di;
   const SrgbCurveTable& table = SrgbCurve();
   const Floats white = hn::Set(d, static_cast<float>(kWhiteSteps));
-  const Ints cell =
-      hn::Mul(hn::Iota(di, 0), hn::Set(di, static_cast<int>(3 * kSamples)));
-  for (std::size_t i = 0; i < 3 * kSamples; ++i) {
-    const Floats value = hn::GatherIndex(d, linear + i, cell);
-    steps.values.Set(i,
-                     hn::Round(hn::Mul(SrgbCurveOf(d, value, table), white)));
+  Transpose<kValues>(d, linear, steps.values);
+  for (std::size_t i = 0; i < kValues; ++i) {
+    const Floats encoded = SrgbCurveOf(d, steps.values[i], table);
+    steps.values.Set(i, hn::Round(hn::Mul(encoded, white)));
   }
 }
 

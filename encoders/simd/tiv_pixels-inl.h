@@ -38,32 +38,30 @@ HWY_INLINE Ints RedFirst(Ints color) {
                                                  hn::LoadDup128(d8, kOrder)));
 }
 
+/// A word of three pixels' bytes and the next: `kBits` of the first are left.
+template <int kBits>
+HWY_INLINE Ints Straddling(Ints first, Ints next) {
+  const hn::RebindToUnsigned<IntLanes> du;
+  const auto left = hn::ShiftRight<32 - kBits>(hn::BitCast(du, first));
+  return hn::Or(hn::BitCast(IntLanes(), left), hn::ShiftLeft<kBits>(next));
+}
+
 /// Four pixels are three words, the first byte lowest.
 HWY_INLINE void LoadPixels(const Rgb8* samples, Pixels& pixels) {
   constexpr std::size_t kWords = 3 * kTivPixels / 4;
-  const IntLanes di;
-  HWY_ALIGN_MAX std::int32_t words[kWords * kMaxLanes];
-  std::memcpy(words, samples, kWords * hn::Lanes(di) * sizeof(words[0]));
-  const Ints cell =
-      hn::Mul(hn::Iota(di, 0), hn::Set(di, static_cast<int>(kWords)));
+  LaneArray<kWords, std::int32_t> words;
+  // Only ever read by bytes.
+  Transpose<kWords>(IntLanes(), reinterpret_cast<const std::int32_t*>(samples),
+                    words);
   for (std::size_t i = 0; i < kTivPixels; i += 4) {
-    const std::int32_t* base = words + 3 * i / 4;
-    const Ints w0 = hn::GatherIndex(di, base, cell);
-    const Ints w1 = hn::GatherIndex(di, base + 1, cell);
-    const Ints w2 = hn::GatherIndex(di, base + 2, cell);
-    const auto straddling = [](auto low, Ints a, auto high, Ints b) {
-      const hn::RebindToUnsigned<IntLanes> du;
-      return RedFirst(hn::Or(
-          hn::BitCast(IntLanes(), hn::ShiftRight<low()>(hn::BitCast(du, a))),
-          hn::ShiftLeft<high()>(b)));
-    };
-    using std::integral_constant;
-    pixels.Set(i, RedFirst(w0));
-    pixels.Set(i + 1, straddling(integral_constant<int, 24>(), w0,
-                                 integral_constant<int, 8>(), w1));
-    pixels.Set(i + 2, straddling(integral_constant<int, 16>(), w1,
-                                 integral_constant<int, 16>(), w2));
-    pixels.Set(i + 3, RedFirst(hn::ShiftRight<8>(w2)));
+    const std::size_t word = i / 4 * 3;
+    const Ints first = words[word];
+    const Ints second = words[word + 1];
+    const Ints third = words[word + 2];
+    pixels.Set(i, RedFirst(first));
+    pixels.Set(i + 1, RedFirst(Straddling<8>(first, second)));
+    pixels.Set(i + 2, RedFirst(Straddling<16>(second, third)));
+    pixels.Set(i + 3, RedFirst(hn::ShiftRight<8>(third)));
   }
 }
 

@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <hwy/highway.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,6 +37,9 @@ void ChooseSimd(int& argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Memory once taken is kept: page faults are no part of encoding.
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
   ChooseSimd(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
