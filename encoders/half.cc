@@ -32,9 +32,9 @@ void StoreCell(const Rgb8* codes, Cell& cell) {
   std::memcpy(&both, codes, sizeof(both));
   constexpr std::uint64_t kColor = 0xffffff;
   const std::uint64_t colors = (both >> 24 & kColor) | (both & kColor) << 24;
-  std::array<std::uint32_t, 3> words{kLowerHalf};
-  std::memcpy(&words[1], &colors, sizeof(colors));
-  std::memcpy(static_cast<void*>(&cell), words.data(), sizeof(cell));
+  auto* bytes = reinterpret_cast<std::byte*>(&cell);
+  std::memcpy(bytes, &kLowerHalf, sizeof(kLowerHalf));
+  std::memcpy(bytes + offsetof(Cell, fg), &colors, sizeof(colors));
 }
 
 /// The same with vectors, in the transfer.
