@@ -124,6 +124,8 @@ void RegisterEncodeBenchmarks() {
       }
     }
   }
+  Register("optimal:mask=8x8");
+  Register("optimal:glyphs=blocks+quadrants+eighths+sextants+octants+wedges");
 }
 
 }  // namespace rtb

@@ -158,13 +158,19 @@ TEST_P(SimdTargetsTest, TakeAnyNumberOfCells) {
 std::vector<Kind> Kinds() {
   return {{"half", 2},    {"quadrant", 4}, {"quadrant:split=best", 4},
           {"sextant", 6}, {"octant", 8},   {"braille", 8},
-          {"tiv", 32}};
+          {"tiv", 32},
+          {"optimal:mask=8x8", 64},
+          {"optimal:glyphs=blocks+quadrants+octants:mask=2x4", 8},
+          {"optimal:glyphs=sextants+octants+wedges+eighths", 128},
+          {"optimal:glyphs=shades+ascii:mask=4x8", 32},
+          {"optimal:glyphs=braille+box+eighths:mask=5x7", 35},
+          {"optimal:blend=linear:mask=2x2", 4}};
 }
 
 std::string NameOf(const Kind& kind) {
   std::string name = kind.spec;
   for (char& c : name) {
-    if (c == ':' || c == '=') c = '_';
+    if (c == ':' || c == '=' || c == '+') c = '_';
   }
   return name;
 }
