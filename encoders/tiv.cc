@@ -39,7 +39,7 @@ class Tiv : public PlanEncoder {
  public:
   std::vector<char32_t> Candidates() const override {
     std::vector<char32_t> glyphs;
-    for (const Glyph& glyph : kGlyphs) glyphs.push_back(glyph.code_point);
+    for (const TivGlyph& glyph : kTivGlyphs) glyphs.push_back(glyph.code_point);
     return glyphs;
   }
 
