@@ -32,6 +32,9 @@ struct EncoderInfo {
                          ///< most that the mean over cells can be.
   std::string glyphs;    ///< The code points it may use, in words.
   std::vector<EncoderParameter> parameters;
+  bool needs_parameters = false;  ///< Its name alone is no SPEC.
+  std::string version = {};  ///< Of the library that chooses; empty = ours.
+  std::string why_not = {};  ///< Why it cannot run here; empty = it can.
 };
 
 /// What an encoding depends on beside the picture.
@@ -39,9 +42,9 @@ struct EncodeContext {
   std::uint64_t seed = 0;
   int threads = 0;                     ///< Upper bound; 0 = all cores.
   const CellGrid* previous = nullptr;  ///< Last frame, for temporal encoders.
-  bool scalar = false;  ///< Without vectors: the same cells, more slowly.
   /// The colors that the terminal has.
   ColorDepth depth = ColorDepth::kTruecolor;
+  bool scalar = false;  ///< Without vectors: the same cells, more slowly.
 };
 
 /// An encoding and what it took.

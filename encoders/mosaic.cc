@@ -18,6 +18,8 @@ class Mosaic : public PlanEncoder {
     for (unsigned i = 0; i < patterns; ++i) glyphs_.push_back(kind.glyph(i));
   }
 
+  std::vector<char32_t> Candidates() const override { return glyphs_; }
+
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, kColumns, rows_, cell_aspect);

@@ -34,6 +34,10 @@ class Quadrant : public PlanEncoder {
     for (unsigned i = 0; i < glyphs_.size(); ++i) glyphs_[i] = QuadrantGlyph(i);
   }
 
+  std::vector<char32_t> Candidates() const override {
+    return GlyphsOfPatterns(QuadrantGlyph, kSamples);
+  }
+
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, 2, 2, cell_aspect);

@@ -2,6 +2,9 @@
 #include <utility>
 
 #include "core/base/suggest.h"
+#include "encoders/blend.h"
+#include "encoders/modifiers/modifiers.h"
+#include "encoders/parameters.h"
 #include "encoders/registry.h"
 
 namespace rtb {
@@ -9,7 +12,7 @@ namespace {
 
 constexpr char kForm[] = "name[:key=value...]";
 constexpr char kAll[] = "all";
-/// This one's parameter is a command: the rest of the text, as it stands.
+/// This one's last parameter is a command: the rest of the text, as it stands.
 constexpr std::string_view kRestOfText = "external:";
 constexpr char kCommand[] = "command";
 
@@ -61,14 +64,24 @@ Error UnknownEncoder(const EncoderSpec& spec) {
 Error UnknownParameter(const EncoderSpec& spec, const EncoderInfo& info,
                        const std::string& key) {
   std::vector<std::string> names;
-  for (const EncoderParameter& parameter : info.parameters) {
-    names.push_back(parameter.name);
+  for (const auto parameters :
+       {std::span(info.parameters), ModifierParameters()}) {
+    for (const EncoderParameter& parameter : parameters) {
+      if (std::ranges::find(names, parameter.name) == names.end()) {
+        names.push_back(parameter.name);
+      }
+    }
   }
-  return BadInput(
-      Place(spec.text),
-      "unknown parameter `" + key + "`; " + info.name + " takes " +
-          (names.empty() ? std::string("no parameters") : JoinNames(names)),
-      DidYouMean(key, names));
+  return BadInput(Place(spec.text),
+                  "unknown parameter `" + key + "`; " + info.name + " takes " +
+                      JoinNames(names),
+                  DidYouMean(key, names));
+}
+
+bool Lists(std::span<const EncoderParameter> parameters,
+           const std::string& key) {
+  return std::ranges::find(parameters, key, &EncoderParameter::name) !=
+         parameters.end();
 }
 
 /// Checks name and keys against the registry.
@@ -76,10 +89,8 @@ Result<const EncoderEntry*> EntryOf(const EncoderSpec& spec) {
   const EncoderEntry* entry = FindEntry(spec.name);
   if (entry == nullptr) return Fail(UnknownEncoder(spec));
   for (const auto& [key, value] : spec.parameters) {
-    const auto known = [&key = key](const EncoderParameter& parameter) {
-      return parameter.name == key;
-    };
-    if (std::ranges::none_of(entry->info.parameters, known)) {
+    if (!Lists(entry->info.parameters, key) &&
+        !Lists(ModifierParameters(), key)) {
       return Fail(UnknownParameter(spec, entry->info, key));
     }
   }
@@ -103,15 +114,34 @@ Status AddParameter(std::string_view text, EncoderSpec& spec) {
   return {};
 }
 
-/// Splits `name:key=value:...` without looking anything up.
-Result<EncoderSpec> SplitSpec(std::string_view text) {
+/// Whether a text begins with `key=value:`, where the value holds no blank.
+bool BeginsWithParameter(std::string_view text) {
+  const std::size_t key = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
+  const std::size_t end = text.find_first_of(": \t");
+  return key != text.npos && key > 0 && text[key] == '=' && end != text.npos &&
+         text[end] == ':';
+}
+
+/// Splits `external:key=value:...:COMMAND`.
+Result<EncoderSpec> SplitExternal(std::string_view text) {
   EncoderSpec spec;
   spec.text = text;
-  if (text.starts_with(kRestOfText)) {
-    spec.name = text.substr(0, kRestOfText.size() - 1);
-    spec.parameters[kCommand] = text.substr(kRestOfText.size());
-    return spec;
+  spec.name = text.substr(0, kRestOfText.size() - 1);
+  text.remove_prefix(kRestOfText.size());
+  while (BeginsWithParameter(text)) {
+    RTB_ASSIGN_OR_RETURN(const std::string_view part, TakeUntil(':', text));
+    RTB_RETURN_IF_ERROR(AddParameter(part, spec));
   }
+  RTB_RETURN_IF_ERROR(AddParameter(std::string(kCommand) + "=", spec));
+  spec.parameters[kCommand] = text;
+  return spec;
+}
+
+/// Splits `name:key=value:...` without looking anything up.
+Result<EncoderSpec> SplitSpec(std::string_view text) {
+  if (text.starts_with(kRestOfText)) return SplitExternal(text);
+  EncoderSpec spec;
+  spec.text = text;
   std::string_view rest = text;
   RTB_ASSIGN_OR_RETURN(spec.name, TakeUntil(':', rest));
   bool more = spec.name.size() < text.size();
@@ -127,6 +157,7 @@ Result<EncoderSpec> SplitSpec(std::string_view text) {
 std::vector<EncoderSpec> AllSpecs() {
   std::vector<EncoderSpec> specs;
   for (const EncoderEntry& entry : EncoderEntries()) {
+    if (entry.info.needs_parameters || !entry.info.why_not.empty()) continue;
     specs.push_back({entry.info.name, {}, entry.info.name});
   }
   return specs;
@@ -164,9 +195,34 @@ Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text) {
   return specs;
 }
 
+std::vector<EncoderParameter> ModifiersOf(const EncoderEntry& entry) {
+  std::vector<EncoderParameter> modifiers;
+  for (const EncoderParameter& modifier : ModifierParameters()) {
+    if (!Lists(entry.info.parameters, modifier.name)) {
+      modifiers.push_back(modifier);
+    }
+  }
+  return modifiers;
+}
+
+Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderEntry& entry,
+                                             const EncoderParameters& given) {
+  EncoderParameters own;
+  EncoderParameters shared;
+  for (const auto& [key, value] : given) {
+    (Lists(entry.info.parameters, key) ? own : shared).emplace(key, value);
+  }
+  RTB_ASSIGN_OR_RETURN(Modifiers modifiers, ReadModifiers(shared));
+  if (Lists(entry.info.parameters, BlendParameter().name)) {
+    RTB_ASSIGN_OR_RETURN(modifiers.blend, ReadBlend(own));
+  }
+  RTB_ASSIGN_OR_RETURN(auto encoder, entry.make(own));
+  return MakeModified(std::move(encoder), modifiers);
+}
+
 Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderSpec& spec) {
   RTB_ASSIGN_OR_RETURN(const EncoderEntry* const entry, EntryOf(spec));
-  auto encoder = entry->make(spec.parameters);
+  auto encoder = MakeEncoder(*entry, spec.parameters);
   if (!encoder) {
     Error& error = encoder.error();
     error.place = Place(spec.text) + ": " + error.place;

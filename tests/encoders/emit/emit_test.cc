@@ -25,35 +25,6 @@ TEST(Utf8Test, UsesOneToFourBytes) {
   EXPECT_EQ(Utf8(0x10FFFF), "\xF4\x8F\xBF\xBF");
 }
 
-TEST(EmitAnsiTest, SetsBothColorsInOneSequence) {
-  EXPECT_EQ(EmitAnsi(Row({{U'▄', {1, 2, 3}, {4, 5, 6}}})),
-            "\x1b[38;2;1;2;3;48;2;4;5;6m▄\x1b[0m\n");
-}
-
-TEST(EmitAnsiTest, NamesChangedColorsOnly) {
-  EXPECT_EQ(EmitAnsi(Row({{U'▄', kRed, kBlue},
-                          {U'▀', kRed, kBlue},
-                          {U'▄', kRed, kRed},
-                          {U'▄', kBlue, kRed}})),
-            "\x1b[38;2;255;0;0;48;2;0;0;255m▄▀\x1b[48;2;255;0;0m▄"
-            "\x1b[38;2;0;0;255m▄\x1b[0m\n");
-}
-
-// A space shows no foreground, a full block no background.
-TEST(EmitAnsiTest, LeavesOutColorsThatDoNotShow) {
-  EXPECT_EQ(
-      EmitAnsi(
-          Row({{U' ', kRed, kBlue}, {U'█', kRed, kRed}, {U'▄', kRed, kBlue}})),
-      "\x1b[48;2;0;0;255m \x1b[38;2;255;0;0m█▄\x1b[0m\n");
-}
-
-TEST(EmitAnsiTest, StartsEveryLineAfresh) {
-  CellGrid grid({1, 2});
-  grid.cells = {{U' ', {}, kBlue}, {U' ', {}, kBlue}};
-  EXPECT_EQ(EmitAnsi(grid),
-            "\x1b[48;2;0;0;255m \x1b[0m\n\x1b[48;2;0;0;255m \x1b[0m\n");
-}
-
 TEST(EmitJsonTest, ListsCellsRowByRow) {
   CellGrid grid({1, 2});
   grid.cells = {{U'▄', {1, 2, 255}, kBlue}, {U'"', kRed, {}}};
