@@ -171,8 +171,12 @@ TEST_P(SimdTargetsTest, TakeAnyNumberOfCells) {
 }
 
 std::vector<Kind> Kinds() {
-  return {{"half", 2},    {"quadrant", 4}, {"quadrant:split=best", 4},
-          {"sextant", 6}, {"octant", 8},   {"braille", 8},
+  return {{"half", 2},
+          {"quadrant", 4},
+          {"quadrant:split=best", 4},
+          {"sextant", 6},
+          {"octant", 8},
+          {"braille", 8},
           {"tiv", 32},
           {"optimal:mask=8x8", 64},
           {"optimal:glyphs=blocks+quadrants+octants:mask=2x4", 8},
