@@ -44,6 +44,9 @@ Result<EncoderSpec> ParseEncoderSpec(std::string_view text);
 /// parameters stand before it: `external:timeout=60:COMMAND`.
 Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text);
 
+/// The modifiers that an entry takes: all but those among its parameters.
+std::vector<EncoderParameter> ModifiersOf(const EncoderEntry& entry);
+
 /// Makes an entry's encoder, with the modifiers that any takes
 /// (modifiers/modifiers.h) around it.
 /// @param given the entry's parameters and modifiers, checked by name.

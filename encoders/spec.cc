@@ -195,6 +195,16 @@ Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text) {
   return specs;
 }
 
+std::vector<EncoderParameter> ModifiersOf(const EncoderEntry& entry) {
+  std::vector<EncoderParameter> modifiers;
+  for (const EncoderParameter& modifier : ModifierParameters()) {
+    if (!Lists(entry.info.parameters, modifier.name)) {
+      modifiers.push_back(modifier);
+    }
+  }
+  return modifiers;
+}
+
 Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderEntry& entry,
                                              const EncoderParameters& given) {
   EncoderParameters own;
