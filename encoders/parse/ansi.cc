@@ -26,10 +26,10 @@ Rgb8 ToRgb8(const VTermColor& color) {
   return {color.rgb.red, color.rgb.green, color.rgb.blue};
 }
 
-/// Two thirds of each component, as xterm draws it.
+/// Two thirds of each component, in 16 bits, as xterm computes it.
 Rgb8 Faint(Rgb8 color) {
   const auto two_thirds = [](int component) {
-    return static_cast<std::uint8_t>(component * 2 / 3);
+    return static_cast<std::uint8_t>(component * 257 * 2 / 3 >> 8);
   };
   return {two_thirds(color.r), two_thirds(color.g), two_thirds(color.b)};
 }

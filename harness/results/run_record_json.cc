@@ -49,15 +49,18 @@ Json ToJson(const RunResult& run) {
   for (const StageTimes& times : run.times) {
     ms[times.stage] = TimesToJson(times);
   }
-  return {{"scene", run.scene},
-          {"encoder", run.encoder},
-          {"encoder_version", run.encoder_version},
-          {"grid", Json::array({run.grid.columns, run.grid.rows})},
-          {"rays_per_cell", run.rays_per_cell},
-          {"raster", ToJson(run.raster)},
-          {"reference_raster", ToJson(run.reference_raster)},
-          {"ms", ms},
-          {"metrics", MetricsToJson(run.metrics)}};
+  Json object = {{"scene", run.scene},
+                 {"encoder", run.encoder},
+                 {"grid", Json::array({run.grid.columns, run.grid.rows})},
+                 {"rays_per_cell", run.rays_per_cell},
+                 {"raster", ToJson(run.raster)},
+                 {"reference_raster", ToJson(run.reference_raster)},
+                 {"ms", ms},
+                 {"metrics", MetricsToJson(run.metrics)}};
+  if (!run.encoder_version.empty()) {
+    object["encoder_version"] = run.encoder_version;
+  }
+  return object;
 }
 
 Json ToJson(const HostInfo& host) {

@@ -5,6 +5,7 @@ import json
 import re
 import unittest
 
+from pictures import gradient, png
 from program import ProgramTest
 
 COMMANDS = ["bench", "render", "encode", "score", "reference", "export",
@@ -24,7 +25,6 @@ class CommandLineTest(ProgramTest):
         for command in COMMANDS:
             text = self.succeed(command, "--help").decode()
             self.assertIn("--help", text)
-            self.assertNotIn("--color", text)
             self.assertNotIn("cuda", text)
 
     def test_help_names_every_common_option(self):

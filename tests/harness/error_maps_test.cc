@@ -13,13 +13,14 @@ Image Flat(Rgb color) {
   return image;
 }
 
-// Black against white is FLIP's largest error, 1; equal images have none. The
+// Green against blue is FLIP's largest error, 1 (Andersson et al. 2020, section
+// 4.1: the colors that its range is made from); equal images have none. The
 // ends of magma: #000004 and #fcfdbf.
 TEST(ErrorMapsTest, FlipGoesFromOneEndOfMagmaToTheOther) {
-  const Image black = Flat(Rgb(0));
-  const Image white = Flat(Rgb(1));
-  const Image equal = FlipPicture(MetricInput(black, black));
-  const Image opposite = FlipPicture(MetricInput(black, white));
+  const Image green = Flat(Rgb(0, 1, 0));
+  const Image blue = Flat(Rgb(0, 0, 1));
+  const Image equal = FlipPicture(MetricInput(green, green));
+  const Image opposite = FlipPicture(MetricInput(green, blue));
   EXPECT_EQ(equal.width(), 8);
   EXPECT_EQ(equal.height(), 6);
   for (const Rgb& pixel : equal.pixels()) {

@@ -99,14 +99,15 @@ TEST(ParseAnsiTest, RefusesEmptyTerminals) {
   EXPECT_FALSE(ParseAnsi("", {1, -1}));
 }
 
-// xterm 379 draws SGR 2 with two thirds of each component: 1 of 2, 135 of 203.
+// xterm 379 draws SGR 2 with two thirds of each component, in 16 bits: 1 of 2
+// (514 -> 342, whose upper byte is 1), 137 of 205 (52685 -> 35123).
 TEST(ParseAnsiTest, ReadsWhatHidesAndDims) {
   const CellGrid grid =
-      Parsed("\x1b[38;2;2;203;0mA\x1b[8mB\x1b[28mC\x1b[2mD\x1b[22mE", 5, 1);
+      Parsed("\x1b[38;2;2;205;0mA\x1b[8mB\x1b[28mC\x1b[2mD\x1b[22mE", 5, 1);
   EXPECT_EQ(GlyphText(grid), "A CDE\n");
-  EXPECT_EQ(grid.at(2, 0).fg, (Rgb8{2, 203, 0}));
-  EXPECT_EQ(grid.at(3, 0).fg, (Rgb8{1, 135, 0}));
-  EXPECT_EQ(grid.at(4, 0).fg, (Rgb8{2, 203, 0}));
+  EXPECT_EQ(grid.at(2, 0).fg, (Rgb8{2, 205, 0}));
+  EXPECT_EQ(grid.at(3, 0).fg, (Rgb8{1, 137, 0}));
+  EXPECT_EQ(grid.at(4, 0).fg, (Rgb8{2, 205, 0}));
 }
 
 TEST(ParseAnsiTest, BoldIsNotBrightAndBlinkingIsNothing) {
