@@ -47,6 +47,11 @@ void ToBlend(Blend blend, std::span<const Rgb> linear, std::span<V3d> out) {
   });
 }
 
+V3d FromRgb8(Blend blend, Rgb8 color) {
+  if (blend == Blend::kSrgb) return V3d(color.r, color.g, color.b) / 255;
+  return FromLinear(blend, Decode8(color));
+}
+
 V3d ToEncoded(Blend blend, const V3d& color) {
   if (blend == Blend::kSrgb) return color;
   const V3d linear = blend == Blend::kLinear ? color : OklabToLinear(color);

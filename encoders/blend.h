@@ -29,6 +29,9 @@ Result<Blend> ReadBlend(const EncoderParameters& given);
 /// spans have one length.
 void ToBlend(Blend blend, std::span<const Rgb> linear, std::span<V3d> out);
 
+/// A display color in the blend space.
+V3d FromRgb8(Blend blend, Rgb8 color);
+
 /// A color of the blend space as sRGB-encoded values in [0, 1], unrounded.
 V3d ToEncoded(Blend blend, const V3d& color);
 
