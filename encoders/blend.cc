@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/color/oklab.h"
+#include "encoders/steps.h"
 
 namespace rtb {
 namespace {
@@ -14,8 +15,8 @@ float Clip(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
 
 V3d FromLinear(Blend blend, const Rgb& linear) {
   if (blend == Blend::kSrgb) {
-    return V3d(SrgbEncode(linear.x), SrgbEncode(linear.y),
-               SrgbEncode(linear.z));
+    return FromSteps({EncodedSteps(linear.x), EncodedSteps(linear.y),
+                      EncodedSteps(linear.z)});
   }
   const V3d clipped(Clip(linear.x), Clip(linear.y), Clip(linear.z));
   return blend == Blend::kLinear ? clipped : LinearToOklab(clipped);

@@ -25,8 +25,8 @@ const EncoderParameter& BlendParameter();
 /// The chosen space.
 Result<Blend> ReadBlend(const EncoderParameters& given);
 
-/// Linear colors, clipped to [0, 1] (NaN is 0), in the blend space. Both
-/// spans have one length.
+/// Linear colors, clipped to [0, 1] (NaN is 0), in the blend space; sRGB values
+/// are whole steps (steps.h). Both spans have one length.
 void ToBlend(Blend blend, std::span<const Rgb> linear, std::span<V3d> out);
 
 /// A display color in the blend space.

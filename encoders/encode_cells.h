@@ -14,9 +14,18 @@ namespace rtb {
 /// from several threads at once.
 using CellEncoder = std::function<Cell(std::span<const Rgb> samples)>;
 
+/// The same for any number of cells, whose samples stand one cell after the
+/// other.
+using CellsEncoder =
+    std::function<void(std::span<const Rgb> samples, std::span<Cell> cells)>;
+
 /// Encodes every cell by itself, on at most `threads` threads (0 = all).
 /// Checks that the fragments have `samples` samples a cell.
 CellGrid EncodeCells(const Fragments& fragments, int samples, int threads,
                      const CellEncoder& encode);
+
+/// The same, batches of cells at a time.
+CellGrid EncodeCells(const Fragments& fragments, int samples, int threads,
+                     const CellsEncoder& encode);
 
 }  // namespace rtb

@@ -41,6 +41,7 @@ struct EncodeContext {
   const CellGrid* previous = nullptr;  ///< Last frame, for temporal encoders.
   /// The colors that the terminal has.
   ColorDepth depth = ColorDepth::kTruecolor;
+  bool scalar = false;  ///< Without vectors: the same cells, more slowly.
 };
 
 /// An encoding and what it took.

@@ -1,44 +1,39 @@
 #include "encoders/mosaic.h"
 
-#include <array>
+#include <vector>
 
-#include "encoders/encode_cells.h"
-#include "encoders/partition.h"
+#include "encoders/encode_partitions.h"
 #include "encoders/plan_encoder.h"
 
 namespace rtb {
 namespace {
 
 constexpr int kColumns = 2;
-constexpr int kMaxRows = 4;
 
 class Mosaic : public PlanEncoder {
  public:
-  Mosaic(const MosaicKind& kind, Blend blend) : kind_(kind), blend_(blend) {}
+  Mosaic(const MosaicKind& kind, Blend blend)
+      : rows_(kind.rows), blend_(blend) {
+    const unsigned patterns = 1u << (kColumns * rows_);
+    for (unsigned i = 0; i < patterns; ++i) glyphs_.push_back(kind.glyph(i));
+  }
+
+  std::vector<char32_t> Candidates() const override { return glyphs_; }
 
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
-    return RegularPlan(grid, kColumns, kind_.rows, cell_aspect);
+    return RegularPlan(grid, kColumns, rows_, cell_aspect);
   }
 
   Result<CellGrid> Encode(const Fragments& fragments,
                           const EncodeContext& context) const override {
-    return EncodeCells(
-        fragments, kColumns * kind_.rows, context.threads,
-        [this](std::span<const Rgb> linear) { return EncodeCell(linear); });
+    return EncodePartitionGrid(fragments, glyphs_, blend_, context);
   }
 
  private:
-  Cell EncodeCell(std::span<const Rgb> linear) const {
-    std::array<V3d, kColumns * kMaxRows> buffer;
-    const auto samples = std::span(buffer).first(linear.size());
-    ToBlend(blend_, linear, samples);
-    const SampleMask on = BrighterSide(blend_, samples, BestPartition(samples));
-    return CellOfMeans(blend_, samples, on, kind_.glyph(on));
-  }
-
-  MosaicKind kind_;
+  int rows_;
   Blend blend_;
+  std::vector<char32_t> glyphs_;  ///< Of each pattern.
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "encoders/palette.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/base/check.h"
 
@@ -31,6 +33,17 @@ std::uint8_t CubeLevel(int step) {
   return static_cast<std::uint8_t>(step == 0 ? 0 : 55 + 40 * step);
 }
 
+constexpr std::array<Rgb8, 2> kMonoColors = {kDefaultForeground,
+                                             kDefaultBackground};
+
+std::vector<Rgb8> CubeAndGrays() {
+  std::vector<Rgb8> colors;
+  for (int index = kCube; index < 256; ++index) {
+    colors.push_back(XtermColor(index));
+  }
+  return colors;
+}
+
 }  // namespace
 
 Rgb8 XtermColor(int index) {
@@ -43,6 +56,29 @@ Rgb8 XtermColor(int index) {
   }
   const auto gray = static_cast<std::uint8_t>(8 + 10 * (index - kGrays));
   return {gray, gray, gray};
+}
+
+std::span<const Rgb8> PaletteColors(ColorDepth depth) {
+  static const std::vector<Rgb8> cube_and_grays = CubeAndGrays();
+  switch (depth) {
+    case ColorDepth::k256:
+      return cube_and_grays;
+    case ColorDepth::k16:
+      return kAnsi;
+    case ColorDepth::kMono:
+      return kMonoColors;
+    default:
+      return {};
+  }
+}
+
+std::optional<int> IndexOf(Rgb8 color, ColorDepth depth) {
+  if (depth != ColorDepth::k256 && depth != ColorDepth::k16) return {};
+  const std::span<const Rgb8> colors = PaletteColors(depth);
+  const auto found = std::ranges::find(colors, color);
+  if (found == colors.end()) return {};
+  const int first = depth == ColorDepth::k256 ? kCube : 0;
+  return first + static_cast<int>(found - colors.begin());
 }
 
 }  // namespace rtb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/base/numbers.h"
 #include "core/base/suggest.h"
 
 namespace rtb {
@@ -34,6 +35,12 @@ Result<int> ReadChoice(const EncoderParameter& parameter,
                  DidYouMean(value, names)));
   }
   return static_cast<int>(found - names.begin());
+}
+
+Result<double> ReadNumber(const EncoderParameter& parameter,
+                          const EncoderParameters& given, double low,
+                          double high) {
+  return ParseNumber(parameter.name, ValueOf(parameter, given), low, high);
 }
 
 }  // namespace rtb

@@ -19,6 +19,12 @@ const std::string& ValueOf(const EncoderParameter& parameter,
 Result<int> ReadChoice(const EncoderParameter& parameter,
                        const EncoderParameters& given);
 
+/// A number in [low, high].
+/// @return kBadInput that says so.
+Result<double> ReadNumber(const EncoderParameter& parameter,
+                          const EncoderParameters& given, double low,
+                          double high);
+
 /// The names in `a|b|c`.
 std::vector<std::string> ChoiceNames(const EncoderParameter& parameter);
 

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kMaxSamples = 8;
 
+/// Sums and differences of steps.
+using WideSteps = Imath::Vec3<std::int64_t>;
+
 V3d SumOf(std::span<const V3d> samples, SampleMask mask) {
   V3d sum(0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -53,6 +56,36 @@ SampleMask BestPartition(std::span<const V3d> samples) {
   return best;
 }
 
+SampleMask BestPartition(std::span<const StepColor> samples) {
+  RTB_CHECK_LE(samples.size(), kMaxSamples);
+  const auto count = static_cast<std::int64_t>(samples.size());
+  const SampleMask end = SampleMask{1} << (samples.size() - 1);
+  std::array<WideSteps, 1 << (kMaxSamples - 1)> sums;
+  sums[0] = WideSteps(0);
+  WideSteps total(samples.back());
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    total += WideSteps(samples[i]);
+  }
+  SampleMask best = 0;
+  // The gain as below times `count`, as a fraction. A lead is below 2^27, its
+  // square below 2^56, the products below 2^60.
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+  for (SampleMask on = 1; on < end; ++on) {
+    const auto lowest = static_cast<std::size_t>(std::countr_zero(on));
+    sums[on] = sums[on & (on - 1)] + WideSteps(samples[lowest]);
+    const auto n1 = static_cast<std::int64_t>(std::popcount(on));
+    const WideSteps lead = sums[on] * count - total * n1;
+    const std::int64_t gain = lead.dot(lead);
+    const std::int64_t weight = n1 * (count - n1);
+    if (gain * denominator <= numerator * weight) continue;
+    numerator = gain;
+    denominator = weight;
+    best = on;
+  }
+  return best;
+}
+
 SampleMask BrighterSide(Blend blend, std::span<const V3d> samples,
                         SampleMask mask) {
   const SampleMask all = AllSamples(samples.size());
@@ -75,6 +108,24 @@ Cell CellOfMeans(Blend blend, std::span<const V3d> samples, SampleMask on,
   cell.bg = ToRgb8(blend, MeanOf(samples, off));
   if (on != 0) cell.fg = ToRgb8(blend, MeanOf(samples, on));
   return cell;
+}
+
+Cell BestPartitionCell(Blend blend, std::span<const Rgb> linear,
+                       std::span<const char32_t> glyphs) {
+  RTB_CHECK_LE(linear.size(), kMaxSamples);
+  std::array<V3d, kMaxSamples> buffer;
+  const auto samples = std::span(buffer).first(linear.size());
+  ToBlend(blend, linear, samples);
+  SampleMask mask = 0;
+  if (blend == Blend::kSrgb) {
+    std::array<StepColor, kMaxSamples> steps;
+    EncodedSteps(linear, std::span(steps).first(linear.size()));
+    mask = BestPartition(std::span(steps).first(linear.size()));
+  } else {
+    mask = BestPartition(samples);
+  }
+  const SampleMask on = BrighterSide(blend, samples, mask);
+  return CellOfMeans(blend, samples, on, glyphs[on]);
 }
 
 }  // namespace rtb

@@ -8,6 +8,7 @@
 
 #include "encoders/blend.h"
 #include "encoders/cell.h"
+#include "encoders/steps.h"
 
 namespace rtb {
 
@@ -25,6 +26,10 @@ inline SampleMask AllSamples(std::size_t count) {
 /// samples are alike.
 SampleMask BestPartition(std::span<const V3d> samples);
 
+/// The same for sRGB-encoded samples, exactly: errors are equal when they are
+/// the same number.
+SampleMask BestPartition(std::span<const StepColor> samples);
+
 /// `mask` or its complement, whichever side's mean has the higher HSP
 /// brightness; the lower mask when they are equal. An empty side is the
 /// darker one, so that a partition into all and none yields none (0).
@@ -36,5 +41,10 @@ SampleMask BrighterSide(Blend blend, std::span<const V3d> samples,
 /// black: nobody sees it.
 Cell CellOfMeans(Blend blend, std::span<const V3d> samples, SampleMask on,
                  char32_t glyph);
+
+/// The cell of the best partition of linear samples: `glyphs` has one for each
+/// mask of "on" samples, and "on" is the brighter side.
+Cell BestPartitionCell(Blend blend, std::span<const Rgb> linear,
+                       std::span<const char32_t> glyphs);
 
 }  // namespace rtb

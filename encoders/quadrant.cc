@@ -1,22 +1,20 @@
 // Encoder `quadrant`: 2 x 2 samples, each in one of two colors. Origin:
 // RAYTERM's "Quadrant Algorithm".
-#include <algorithm>
 #include <array>
 #include <memory>
 
-#include "core/color/hsp.h"
-#include "encoders/blend.h"
 #include "encoders/encode_cells.h"
+#include "encoders/encode_partitions.h"
 #include "encoders/glyphs/patterns.h"
-#include "encoders/partition.h"
 #include "encoders/plan_encoder.h"
+#include "encoders/quadrant_split.h"
 #include "encoders/registry.h"
+#include "encoders/simd/kernels.h"
 
 namespace rtb {
 namespace {
 
-constexpr int kSamples = 4;
-using Samples = std::array<V3d, kSamples>;
+constexpr int kSamples = kQuadrants;
 
 /// In the order of the parameter's values.
 enum class Split { kBrightness, kRange, kBest };
@@ -30,44 +28,15 @@ const EncoderParameter& SplitParameter() {
   return parameter;
 }
 
-/// Samples whose value is greater than the threshold.
-SampleMask Above(const std::array<double, kSamples>& values, double threshold) {
-  SampleMask mask = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] > threshold + kNoise) mask |= SampleMask{1} << i;
-  }
-  return mask;
-}
-
-/// HSP brightness above the mean of the four.
-SampleMask SplitByBrightness(const Samples& encoded) {
-  std::array<double, kSamples> values;
-  std::ranges::transform(encoded, values.begin(), HspBrightness);
-  return Above(values, (values[0] + values[1] + values[2] + values[3]) / 4);
-}
-
-/// The channel of the largest range (the first of equal ones) above its
-/// middle.
-SampleMask SplitByRange(const Samples& encoded) {
-  std::array<double, kSamples> widest{};
-  double widest_range = -1;
-  double middle = 0;
-  for (int channel = 0; channel < 3; ++channel) {
-    std::array<double, kSamples> values;
-    std::ranges::transform(encoded, values.begin(),
-                           [&](const V3d& color) { return color[channel]; });
-    const auto [low, high] = std::ranges::minmax(values);
-    if (high - low <= widest_range + kNoise) continue;
-    widest = values;
-    widest_range = high - low;
-    middle = (low + high) / 2;
-  }
-  return Above(widest, middle);
-}
-
 class Quadrant : public PlanEncoder {
  public:
-  Quadrant(Split split, Blend blend) : split_(split), blend_(blend) {}
+  Quadrant(Split split, Blend blend) : split_(split), blend_(blend) {
+    for (unsigned i = 0; i < glyphs_.size(); ++i) glyphs_[i] = QuadrantGlyph(i);
+  }
+
+  std::vector<char32_t> Candidates() const override {
+    return GlyphsOfPatterns(QuadrantGlyph, kSamples);
+  }
 
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
@@ -76,32 +45,27 @@ class Quadrant : public PlanEncoder {
 
   Result<CellGrid> Encode(const Fragments& fragments,
                           const EncodeContext& context) const override {
-    return EncodeCells(
-        fragments, kSamples, context.threads,
-        [this](std::span<const Rgb> linear) { return EncodeCell(linear); });
+    if (split_ == Split::kBest) {
+      return EncodePartitionGrid(fragments, glyphs_, blend_, context);
+    }
+    const auto split =
+        split_ == Split::kRange ? RangeSplitCell : BrightnessSplitCell;
+    if (context.scalar || split_ == Split::kRange || blend_ != Blend::kSrgb) {
+      return EncodeCells(fragments, kSamples, context.threads,
+                         [&](std::span<const Rgb> linear) {
+                           return split(blend_, linear, glyphs_);
+                         });
+    }
+    return EncodeCells(fragments, kSamples, context.threads,
+                       [&](std::span<const Rgb> linear, std::span<Cell> cells) {
+                         EncodeBrightnessSplits(linear, glyphs_, cells);
+                       });
   }
 
  private:
-  Cell EncodeCell(std::span<const Rgb> linear) const {
-    Samples samples;
-    ToBlend(blend_, linear, samples);
-    const SampleMask on = ChooseOn(linear, samples);
-    return CellOfMeans(blend_, samples, on, QuadrantGlyph(on));
-  }
-
-  SampleMask ChooseOn(std::span<const Rgb> linear,
-                      const Samples& samples) const {
-    if (split_ == Split::kBest) {
-      return BrighterSide(blend_, samples, BestPartition(samples));
-    }
-    Samples encoded;
-    ToBlend(Blend::kSrgb, linear, encoded);
-    if (split_ == Split::kBrightness) return SplitByBrightness(encoded);
-    return BrighterSide(blend_, samples, SplitByRange(encoded));
-  }
-
   Split split_;
   Blend blend_;
+  std::array<char32_t, 1 << kSamples> glyphs_;
 };
 
 Result<std::unique_ptr<Encoder>> Make(const EncoderParameters& given) {

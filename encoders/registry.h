@@ -41,6 +41,12 @@ Result<EncoderSpec> ParseEncoderSpec(std::string_view text);
 /// Splits `SPEC[,SPEC...]` or `all` (quotes protect commas).
 Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text);
 
+/// Makes an entry's encoder, with the modifiers that any takes
+/// (modifiers/modifiers.h) around it.
+/// @param given the entry's parameters and modifiers, checked by name.
+Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderEntry& entry,
+                                             const EncoderParameters& given);
+
 /// Makes the encoder that a SPEC names.
 Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderSpec& spec);
 

@@ -2,6 +2,9 @@
 #include <utility>
 
 #include "core/base/suggest.h"
+#include "encoders/blend.h"
+#include "encoders/modifiers/modifiers.h"
+#include "encoders/parameters.h"
 #include "encoders/registry.h"
 
 namespace rtb {
@@ -61,14 +64,24 @@ Error UnknownEncoder(const EncoderSpec& spec) {
 Error UnknownParameter(const EncoderSpec& spec, const EncoderInfo& info,
                        const std::string& key) {
   std::vector<std::string> names;
-  for (const EncoderParameter& parameter : info.parameters) {
-    names.push_back(parameter.name);
+  for (const auto parameters :
+       {std::span(info.parameters), ModifierParameters()}) {
+    for (const EncoderParameter& parameter : parameters) {
+      if (std::ranges::find(names, parameter.name) == names.end()) {
+        names.push_back(parameter.name);
+      }
+    }
   }
-  return BadInput(
-      Place(spec.text),
-      "unknown parameter `" + key + "`; " + info.name + " takes " +
-          (names.empty() ? std::string("no parameters") : JoinNames(names)),
-      DidYouMean(key, names));
+  return BadInput(Place(spec.text),
+                  "unknown parameter `" + key + "`; " + info.name + " takes " +
+                      JoinNames(names),
+                  DidYouMean(key, names));
+}
+
+bool Lists(std::span<const EncoderParameter> parameters,
+           const std::string& key) {
+  return std::ranges::find(parameters, key, &EncoderParameter::name) !=
+         parameters.end();
 }
 
 /// Checks name and keys against the registry.
@@ -76,10 +89,8 @@ Result<const EncoderEntry*> EntryOf(const EncoderSpec& spec) {
   const EncoderEntry* entry = FindEntry(spec.name);
   if (entry == nullptr) return Fail(UnknownEncoder(spec));
   for (const auto& [key, value] : spec.parameters) {
-    const auto known = [&key = key](const EncoderParameter& parameter) {
-      return parameter.name == key;
-    };
-    if (std::ranges::none_of(entry->info.parameters, known)) {
+    if (!Lists(entry->info.parameters, key) &&
+        !Lists(ModifierParameters(), key)) {
       return Fail(UnknownParameter(spec, entry->info, key));
     }
   }
@@ -164,9 +175,24 @@ Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text) {
   return specs;
 }
 
+Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderEntry& entry,
+                                             const EncoderParameters& given) {
+  EncoderParameters own;
+  EncoderParameters shared;
+  for (const auto& [key, value] : given) {
+    (Lists(entry.info.parameters, key) ? own : shared).emplace(key, value);
+  }
+  RTB_ASSIGN_OR_RETURN(Modifiers modifiers, ReadModifiers(shared));
+  if (Lists(entry.info.parameters, BlendParameter().name)) {
+    RTB_ASSIGN_OR_RETURN(modifiers.blend, ReadBlend(own));
+  }
+  RTB_ASSIGN_OR_RETURN(auto encoder, entry.make(own));
+  return MakeModified(std::move(encoder), modifiers);
+}
+
 Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderSpec& spec) {
   RTB_ASSIGN_OR_RETURN(const EncoderEntry* const entry, EntryOf(spec));
-  auto encoder = entry->make(spec.parameters);
+  auto encoder = MakeEncoder(*entry, spec.parameters);
   if (!encoder) {
     Error& error = encoder.error();
     error.place = Place(spec.text) + ": " + error.place;

@@ -164,6 +164,12 @@ Cell EncodePixels(const Pixels& pixels) {
 
 class Tiv : public PlanEncoder {
  public:
+  std::vector<char32_t> Candidates() const override {
+    std::vector<char32_t> glyphs;
+    for (const Glyph& glyph : kGlyphs) glyphs.push_back(glyph.code_point);
+    return glyphs;
+  }
+
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
     return RegularPlan(grid, kColumns, kRows, cell_aspect);

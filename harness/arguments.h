@@ -1,11 +1,13 @@
 /// @file
-/// Arguments as text to values: numbers, grids and sizes with their limits.
+/// Arguments as text to values: grids and sizes with their limits (numbers are
+/// core/base/numbers.h).
 /// Every error says what was found and what is expected.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "core/base/numbers.h"
 #include "core/base/result.h"
 #include "core/render/sample_plan.h"
 #include "harness/pixel_size.h"
@@ -20,19 +22,6 @@ inline constexpr int kMaxCellSide = 256;  ///< Pixels of one cell.
 inline constexpr std::int64_t kMaxSamples = std::int64_t{1} << 28;
 inline constexpr std::int64_t kMaxRasterPixels = std::int64_t{1} << 26;
 /// @}
-
-/// A whole number in [low, high]. @param place names the argument.
-Result<std::int64_t> ParseInteger(const std::string& place,
-                                  const std::string& text, std::int64_t low,
-                                  std::int64_t high);
-
-/// A whole number in [0, 2^64).
-Result<std::uint64_t> ParseSeed(const std::string& place,
-                                const std::string& text);
-
-/// A finite number in [low, high].
-Result<double> ParseNumber(const std::string& place, const std::string& text,
-                           double low, double high);
 
 /// `COLSxROWS`, each 1..kMaxGridSide.
 Result<GridSize> ParseGrid(const std::string& place, const std::string& text);

@@ -4,15 +4,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
+
+#include "core/color/srgb_tables.h"
 
 namespace rtb {
 namespace {
-
-/// IEC 61966-2-1, in double precision; `l` in [0, 1].
-double Encode(double l) {
-  return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
-}
 
 double Decode(double v) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -24,70 +20,14 @@ double Clip(double value) {
   return value < 1 ? value : 1.0;
 }
 
-/// What SrgbEncode8 answers; it gets there without the power.
-int EncodeCode(float linear) {
-  return static_cast<int>(Encode(Clip(linear)) * 255 + 0.5);
-}
-
-/// The smallest float whose code is at least `code`. Codes do not fall as
-/// floats grow, and positive floats are ordered as their bits are.
-float FirstOfCode(int code) {
-  std::uint32_t low = 0;
-  std::uint32_t high = std::bit_cast<std::uint32_t>(1.0f);
-  while (low < high) {
-    const std::uint32_t middle = (low + high) / 2;
-    if (EncodeCode(std::bit_cast<float>(middle)) < code) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return std::bit_cast<float>(low);
-}
-
-/// Codes of floats by comparison alone. [kDarkest, 1] falls into buckets of
-/// equal leading bits, 128 an octave. A code takes up at least 1/84 of the
-/// start of the octave that it lies in, so no bucket sees more than two codes.
-class EncodeTable {
- public:
-  EncodeTable() {
-    for (std::size_t i = 0; i < kBuckets; ++i) {
-      const auto bits = static_cast<std::uint32_t>(i + kFirstBucket) << kShift;
-      code_at_start_[i] =
-          static_cast<std::uint8_t>(EncodeCode(std::bit_cast<float>(bits)));
-    }
-    for (std::size_t code = 0; code < 256; ++code) {
-      first_[code] = FirstOfCode(static_cast<int>(code));
-    }
-    first_[256] = std::numeric_limits<float>::infinity();
-  }
-
-  std::uint8_t Code(float linear) const {
-    // In this order of arguments NaN becomes black.
-    linear = std::min(std::max(kDarkest, linear), 1.0f);
-    const std::uint8_t code = code_at_start_[Bucket(linear)];
-    return static_cast<std::uint8_t>(code + (linear >= first_[code + 1u]));
-  }
-
- private:
-  static constexpr float kDarkest = 0x1p-13f;  ///< Still black.
-  static constexpr int kShift = 23 - 7;  ///< Leaves 7 bits of the mantissa.
-  static constexpr std::size_t kFirstBucket =
-      std::bit_cast<std::uint32_t>(kDarkest) >> kShift;
-  static constexpr std::size_t kBuckets =
-      (std::bit_cast<std::uint32_t>(1.0f) >> kShift) - kFirstBucket + 1;
-
-  static std::size_t Bucket(float linear) {
-    return (std::bit_cast<std::uint32_t>(linear) >> kShift) - kFirstBucket;
-  }
-
-  std::array<std::uint8_t, kBuckets> code_at_start_;
-  std::array<float, 257> first_;  ///< The smallest float of each code.
-};
-
-const EncodeTable& Codes() {
-  static const EncodeTable table;
-  return table;
+std::uint8_t CodeOf(float linear, const SrgbCodeTable& table) {
+  using T = SrgbCodeTable;
+  // In this order of arguments NaN becomes black.
+  const float x = std::min(std::max(T::kDarkest, linear), 1.0f);
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t entry =
+      table.entries[(bits >> T::kShift) - T::kFirstBucket];
+  return static_cast<std::uint8_t>((entry + (bits & T::kRest)) >> T::kShift);
 }
 
 std::array<float, 256> MakeDecodeTable() {
@@ -100,8 +40,23 @@ std::array<float, 256> MakeDecodeTable() {
 
 }  // namespace
 
+// The very operations of SrgbCurveOf in srgb-inl.h.
 float SrgbEncode(float linear) {
-  return static_cast<float>(Encode(Clip(linear)));
+  using T = SrgbCurveTable;
+  const float x = linear > 0 ? std::min(linear, 1.0f) : 0.0f;
+  if (x <= T::kKnee) return T::kSlope * x;
+  const SrgbCurveTable& table = SrgbCurve();
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t leading = bits >> T::kShift;
+  const float start = table.start[leading - T::kFirstBucket];
+  const std::uint32_t mantissa =
+      (bits & 0x7fffff) | std::bit_cast<std::uint32_t>(1.0f);
+  const std::uint32_t first = mantissa & ~((1u << T::kShift) - 1);
+  const float e =
+      (std::bit_cast<float>(mantissa) - std::bit_cast<float>(first)) *
+      table.reciprocal[leading % T::kBucketsAnOctave];
+  const float c = (T::kC3 * e + T::kC2) * e + T::kC1;
+  return start + (start + T::kOffset) * (c * e);
 }
 
 float SrgbDecode(float encoded) {
@@ -110,7 +65,7 @@ float SrgbDecode(float encoded) {
 
 double SrgbDecode(double encoded) { return Decode(Clip(encoded)); }
 
-std::uint8_t SrgbEncode8(float linear) { return Codes().Code(linear); }
+std::uint8_t SrgbEncode8(float linear) { return CodeOf(linear, SrgbCodes()); }
 
 float SrgbDecode8(std::uint8_t code) {
   static const std::array<float, 256> table = MakeDecodeTable();
@@ -118,8 +73,9 @@ float SrgbDecode8(std::uint8_t code) {
 }
 
 Rgb8 Encode8(const Rgb& linear) {
-  const EncodeTable& codes = Codes();
-  return {codes.Code(linear.x), codes.Code(linear.y), codes.Code(linear.z)};
+  const SrgbCodeTable& table = SrgbCodes();
+  return {CodeOf(linear.x, table), CodeOf(linear.y, table),
+          CodeOf(linear.z, table)};
 }
 
 Rgb Decode8(Rgb8 color) {

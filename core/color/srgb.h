@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 
 #include "core/math/vec.h"
 
@@ -17,7 +18,8 @@ struct Rgb8 {
   auto operator<=>(const Rgb8&) const = default;
 };
 
-/// Linear [0, 1] to encoded [0, 1]; clips, NaN becomes 0.
+/// Linear [0, 1] to encoded [0, 1], within 1e-7 of the formula in double
+/// precision; clips, NaN becomes 0.
 float SrgbEncode(float linear);
 /// Encoded [0, 1] to linear [0, 1]; clips, NaN becomes 0.
 float SrgbDecode(float encoded);
@@ -32,6 +34,14 @@ float SrgbDecode8(std::uint8_t code);
 /// The same for colors.
 Rgb8 Encode8(const Rgb& linear);
 Rgb Decode8(Rgb8 color);
+
+/// @name Many at once: the same results, by vectors.
+/// Both spans have one length; they may be the same, but not overlap otherwise.
+/// @{
+void SrgbEncode(std::span<const float> linear, std::span<float> encoded);
+void SrgbEncode(std::span<const Rgb> linear, std::span<Rgb> encoded);
+void Encode8(std::span<const Rgb> linear, std::span<Rgb8> codes);
+/// @}
 
 /// code / 255 of each component: encoded values in [0, 1].
 Rgb EncodedValues(Rgb8 color);

@@ -94,6 +94,10 @@ class SvgWriter {
         for (const ShapeRect& rect : shape->rects) {
           Add({Moved(rect, column, row), cell.fg, shape->quarters});
         }
+        for (const ShapePolygon& polygon : shape->polygons) {
+          Flush();
+          AddPolygon(polygon, cell.fg, column, row);
+        }
       } else {
         Flush();
         AddText(cell, column, row);
@@ -131,6 +135,20 @@ class SvgWriter {
     }
     text_ += "/>\n";
     pending_.reset();
+  }
+
+  /// Slanted edges are not to be drawn in steps.
+  void AddPolygon(const ShapePolygon& polygon, Rgb8 color, int column,
+                  int row) {
+    std::string points;
+    for (const ShapePoint& point : polygon) {
+      if (!points.empty()) points += ' ';
+      points += Across(point.x + column * kShapeUnits) + "," +
+                Down(point.y + row * kShapeUnits);
+    }
+    text_ += "<polygon" + Attribute("points", points) +
+             Attribute("fill", HexColor(color)) +
+             Attribute("shape-rendering", "geometricPrecision") + "/>\n";
   }
 
   void AddText(const Cell& cell, int column, int row) {

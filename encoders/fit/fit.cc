@@ -6,20 +6,20 @@
 
 namespace rtb {
 
-Fit FitCell(const Atlas& atlas, Blend blend, std::span<const V3d> samples) {
+CellFit FitCell(const Atlas& atlas, Blend blend, std::span<const V3d> samples) {
   const CenteredSamples centered = Center(samples);
   const std::vector<Prospect> prospects = Survey(atlas, centered);
   return ChooseBest(prospects, [&](std::size_t i) {
     const FitMask& mask = atlas.candidates()[i];
     const CodesFit codes =
         SolveCodes(mask, blend, centered, prospects[i].correlation);
-    return Fit{
+    return CellFit{
         {mask.glyph, codes.fg, codes.bg}, codes.error, static_cast<int>(i)};
   });
 }
 
-Fit RefitColors(const FitMask& mask, Blend blend,
-                std::span<const V3d> samples) {
+CellFit RefitColors(const FitMask& mask, Blend blend,
+                    std::span<const V3d> samples) {
   const CenteredSamples centered = Center(samples);
   const CodesFit codes =
       SolveCodes(mask, blend, centered, Correlate(mask, centered));

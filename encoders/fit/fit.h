@@ -18,7 +18,7 @@
 namespace rtb {
 
 /// A cell, what it costs, and the candidate of the atlas that it shows.
-struct Fit {
+struct CellFit {
   Cell cell;
   double error = 0;
   int candidate = 0;
@@ -30,10 +30,11 @@ struct Fit {
 ///
 /// For blend=oklab, where the channels of 8-bit colors depend on each other,
 /// neighboring codes are searched until nothing improves.
-Fit FitCell(const Atlas& atlas, Blend blend, std::span<const V3d> samples);
+CellFit FitCell(const Atlas& atlas, Blend blend, std::span<const V3d> samples);
 
-/// The best pair of 8-bit colors for one mask. Fit::candidate is 0.
-Fit RefitColors(const FitMask& mask, Blend blend, std::span<const V3d> samples);
+/// The best pair of 8-bit colors for one mask. CellFit::candidate is 0.
+CellFit RefitColors(const FitMask& mask, Blend blend,
+                    std::span<const V3d> samples);
 
 /// What a cell costs that shows the mask in its two colors, whatever its
 /// glyph.

@@ -122,8 +122,9 @@ EntryPair FindApart(const FitMask& mask, const CenteredSamples& samples,
   return pair;
 }
 
-Fit FinishMask(const FitMask& mask, int candidate, const FitPalette& palette,
-               const CenteredSamples& samples, const V3d& correlation) {
+CellFit FinishMask(const FitMask& mask, int candidate,
+                   const FitPalette& palette, const CenteredSamples& samples,
+                   const V3d& correlation) {
   const auto values = palette.values();
   const EntryPair pair =
       mask.binary() ? FindApart(mask, samples, correlation, values)
@@ -142,8 +143,8 @@ FitPalette::FitPalette(Blend blend, std::span<const Rgb8> colors)
   for (const Rgb8& color : colors_) values_.push_back(FromRgb8(blend, color));
 }
 
-Fit FitCellToPalette(const Atlas& atlas, const FitPalette& palette,
-                     std::span<const V3d> samples) {
+CellFit FitCellToPalette(const Atlas& atlas, const FitPalette& palette,
+                         std::span<const V3d> samples) {
   const CenteredSamples centered = Center(samples);
   const std::vector<Prospect> prospects = Survey(atlas, centered);
   return ChooseBest(prospects, [&](std::size_t i) {
@@ -152,14 +153,14 @@ Fit FitCellToPalette(const Atlas& atlas, const FitPalette& palette,
   });
 }
 
-Fit RefitToPalette(const FitMask& mask, const FitPalette& palette,
-                   std::span<const V3d> samples) {
+CellFit RefitToPalette(const FitMask& mask, const FitPalette& palette,
+                       std::span<const V3d> samples) {
   const CenteredSamples centered = Center(samples);
   return FinishMask(mask, 0, palette, centered, Correlate(mask, centered));
 }
 
-Fit FitCellToColors(const Atlas& atlas, Blend blend,
-                    std::span<const V3d> samples, Rgb8 fg, Rgb8 bg) {
+CellFit FitCellToColors(const Atlas& atlas, Blend blend,
+                        std::span<const V3d> samples, Rgb8 fg, Rgb8 bg) {
   const CenteredSamples centered = Center(samples);
   const ColorPair colors = {FromRgb8(blend, fg), FromRgb8(blend, bg)};
   // With the colors fixed, a complement is as good a candidate as any.
@@ -170,9 +171,9 @@ Fit FitCellToColors(const Atlas& atlas, Blend blend,
         {correlation, ErrorOfPair(mask, centered, correlation, colors)});
   }
   return ChooseBest(prospects, [&](std::size_t i) {
-    return Fit{{atlas.candidates()[i].glyph, fg, bg},
-               prospects[i].least,
-               static_cast<int>(i)};
+    return CellFit{{atlas.candidates()[i].glyph, fg, bg},
+                   prospects[i].least,
+                   static_cast<int>(i)};
   });
 }
 

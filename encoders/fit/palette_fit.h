@@ -30,15 +30,15 @@ class FitPalette {
 /// The candidate and the two colors of the palette that leave the least error
 /// together; equal ones as in FitCell. A color that the glyph does not show is
 /// the same as the other one.
-Fit FitCellToPalette(const Atlas& atlas, const FitPalette& palette,
-                     std::span<const V3d> samples);
+CellFit FitCellToPalette(const Atlas& atlas, const FitPalette& palette,
+                         std::span<const V3d> samples);
 
-/// The best pair of the palette for one mask. Fit::candidate is 0.
-Fit RefitToPalette(const FitMask& mask, const FitPalette& palette,
-                   std::span<const V3d> samples);
+/// The best pair of the palette for one mask. CellFit::candidate is 0.
+CellFit RefitToPalette(const FitMask& mask, const FitPalette& palette,
+                       std::span<const V3d> samples);
 
 /// The candidate that comes nearest in the two given colors.
-Fit FitCellToColors(const Atlas& atlas, Blend blend,
-                    std::span<const V3d> samples, Rgb8 fg, Rgb8 bg);
+CellFit FitCellToColors(const Atlas& atlas, Blend blend,
+                        std::span<const V3d> samples, Rgb8 fg, Rgb8 bg);
 
 }  // namespace rtb

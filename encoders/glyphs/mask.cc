@@ -23,15 +23,24 @@ int CoveredArea(const GlyphShape& shape, int x, int y, const Mask& mask) {
   return area;
 }
 
+/// Share of a sub-pixel inside the shape's outlines.
+double CoverageAt(const GlyphShape& shape, int x, int y, const Mask& mask) {
+  constexpr int kFull = kShapeUnits * kShapeUnits;
+  double covered = static_cast<double>(CoveredArea(shape, x, y, mask)) / kFull;
+  for (const ShapePolygon& polygon : shape.polygons) {
+    covered += CoveredShare(polygon, x, y, mask.width, mask.height);
+  }
+  return covered;
+}
+
 }  // namespace
 
 Mask RasterizeShape(const GlyphShape& shape, int width, int height) {
-  constexpr int kFull = 4 * kShapeUnits * kShapeUnits;
   Mask mask(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const int covered = shape.quarters * CoveredArea(shape, x, y, mask);
-      mask.at(x, y) = static_cast<float>(covered) / static_cast<float>(kFull);
+      const double covered = shape.quarters * CoverageAt(shape, x, y, mask) / 4;
+      mask.at(x, y) = static_cast<float>(covered);
     }
   }
   return mask;

@@ -89,6 +89,14 @@ char32_t BrailleGlyph(unsigned pattern) {
   return glyph;
 }
 
+std::vector<char32_t> GlyphsOfPatterns(char32_t (*glyph)(unsigned), int bits) {
+  std::vector<char32_t> glyphs;
+  for (unsigned pattern = 0; pattern < 1u << bits; ++pattern) {
+    glyphs.push_back(glyph(pattern));
+  }
+  return glyphs;
+}
+
 std::optional<GlyphPattern> PatternOf(char32_t glyph) {
   if (const auto found = Find(kQuadrants, 2, glyph)) return found;
   if (const auto found = Find(Sextants(), 3, glyph)) return found;

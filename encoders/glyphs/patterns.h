@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace rtb {
 
@@ -22,6 +23,9 @@ char32_t OctantGlyph(unsigned pattern);
 /// The braille pattern (U+2800-28FF) with a dot in each sub-cell that the 2 x
 /// 4 pattern (0..255) names.
 char32_t BrailleGlyph(unsigned pattern);
+
+/// The glyphs of all patterns of `bits` sub-cells, by pattern.
+std::vector<char32_t> GlyphsOfPatterns(char32_t (*glyph)(unsigned), int bits);
 
 /// Sub-cells in `columns` x `rows` that a glyph fills.
 struct GlyphPattern {

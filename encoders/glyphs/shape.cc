@@ -1,7 +1,10 @@
 #include "encoders/glyphs/shape.h"
 
+#include <utility>
+
 #include "encoders/cell.h"
 #include "encoders/glyphs/patterns.h"
+#include "encoders/glyphs/wedges.h"
 
 namespace rtb {
 namespace {
@@ -10,9 +13,15 @@ constexpr int kAll = kShapeUnits;
 constexpr int kEighth = kShapeUnits / 8;
 constexpr int kNinth = kShapeUnits / 9;
 
-GlyphShape Rows(int top, int bottom) { return {{{0, top, kAll, bottom}}}; }
+GlyphShape Block(const ShapeRect& rect, int quarters = 4) {
+  return {{rect}, {}, quarters};
+}
 
-GlyphShape Columns(int left, int right) { return {{{left, 0, right, kAll}}}; }
+GlyphShape Rows(int top, int bottom) { return Block({0, top, kAll, bottom}); }
+
+GlyphShape Columns(int left, int right) {
+  return Block({left, 0, right, kAll});
+}
 
 /// Glyphs of one rectangle that no pattern of sub-cells names, and shades.
 std::optional<GlyphShape> SimpleShape(char32_t glyph) {
@@ -24,7 +33,7 @@ std::optional<GlyphShape> SimpleShape(char32_t glyph) {
     return Columns(0, (0x2590 - code) * kEighth);
   }
   if (glyph >= 0x2591 && glyph <= 0x2593) {  // LIGHT, MEDIUM, DARK SHADE
-    return GlyphShape{{{0, 0, kAll, kAll}}, code - 0x2590};
+    return Block({0, 0, kAll, kAll}, code - 0x2590);
   }
   switch (glyph) {
     case U' ':
@@ -75,6 +84,7 @@ GlyphShape ShapeOfPattern(const GlyphPattern& pattern) {
 std::optional<GlyphShape> ShapeOf(char32_t glyph) {
   if (auto shape = SimpleShape(glyph)) return shape;
   if (const auto pattern = PatternOf(glyph)) return ShapeOfPattern(*pattern);
+  if (auto wedge = WedgeOf(glyph)) return GlyphShape{{}, {*std::move(wedge)}};
   return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #include <vterm.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -7,14 +8,11 @@
 #include "encoders/palette.h"
 #include "encoders/parse/glyph_text.h"
 #include "encoders/parse/parse.h"
+#include "encoders/parse/sgr.h"
 #include "encoders/parse/terminal_input.h"
 
 namespace rtb {
 namespace {
-
-/// xterm's color 7 on black: what a cell shows whose color nobody set.
-constexpr Rgb8 kDefaultForeground{229, 229, 229};
-constexpr Rgb8 kDefaultBackground{0, 0, 0};
 
 struct FreeTerminal {
   void operator()(VTerm* terminal) const { vterm_free(terminal); }
@@ -28,49 +26,54 @@ Rgb8 ToRgb8(const VTermColor& color) {
   return {color.rgb.red, color.rgb.green, color.rgb.blue};
 }
 
-/// A cell never written, and the right half of a wide glyph, are spaces.
+/// Two thirds of each component, as xterm draws it.
+Rgb8 Faint(Rgb8 color) {
+  const auto two_thirds = [](int component) {
+    return static_cast<std::uint8_t>(component * 2 / 3);
+  };
+  return {two_thirds(color.r), two_thirds(color.g), two_thirds(color.b)};
+}
+
+/// A cell never written, and the right half of a wide glyph, are spaces. Of
+/// combined characters the first counts.
 Cell ToCell(const VTermScreenCell& cell) {
   Cell result;
   if (IsGlyph(cell.chars[0])) result.glyph = cell.chars[0];
   result.fg = ToRgb8(cell.fg);
   result.bg = ToRgb8(cell.bg);
+  if (cell.attrs.blink) result.fg = Faint(result.fg);  // See parse/sgr.h.
   if (cell.attrs.reverse) std::swap(result.fg, result.bg);
+  if (cell.attrs.font == kConcealFont) result.glyph = U' ';
   return result;
 }
 
-/// Counts the lines that leave the screen at its top.
-int CountScrolled(int, const VTermScreenCell*, void* user) {
-  ++*static_cast<int*>(user);
+/// Lines that left the screen at its top.
+struct Scrolled {
+  int lines = 0;
+  bool alternate = false;  ///< Whether the alternate screen is on.
+};
+
+/// On the main screen.
+int CountPushed(int, const VTermScreenCell*, void* user) {
+  ++static_cast<Scrolled*>(user)->lines;
   return 1;
 }
 
-}  // namespace
+/// On the alternate screen, which keeps no history.
+int CountMoved(VTermRect to, VTermRect from, void* user) {
+  auto& scrolled = *static_cast<Scrolled*>(user);
+  if (scrolled.alternate && to.start_row == 0) scrolled.lines += from.start_row;
+  return 1;
+}
 
-Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size) {
-  if (size.columns < 1 || size.rows < 1) {
-    return Fail(BadInput("grid", "a terminal has at least 1 x 1 cells"));
+int NoteProperty(VTermProp property, VTermValue* value, void* user) {
+  if (property == VTERM_PROP_ALTSCREEN) {
+    static_cast<Scrolled*>(user)->alternate = value->boolean != 0;
   }
-  const std::unique_ptr<VTerm, FreeTerminal> terminal(
-      vterm_new(size.rows, size.columns));
-  if (!terminal) return Fail(Failure("ANSI text", "libvterm does not start"));
-  vterm_set_utf8(terminal.get(), 1);
-  VTermScreen* const screen = vterm_obtain_screen(terminal.get());
-  vterm_screen_enable_altscreen(screen, 1);
-  int scrolled = 0;
-  VTermScreenCallbacks callbacks{};
-  callbacks.sb_pushline = CountScrolled;
-  vterm_screen_set_callbacks(screen, &callbacks, &scrolled);
-  vterm_screen_reset(screen, 1);
-  const std::string input = TerminalInput(ansi);
-  vterm_input_write(terminal.get(), input.data(), input.size());
-  vterm_screen_flush_damage(screen);
-  if (scrolled > 0) {
-    return Fail(BadInput("ANSI text",
-                         "does not fit into " + std::to_string(size.columns) +
-                             " x " + std::to_string(size.rows) + " cells: " +
-                             std::to_string(scrolled) + " lines scrolled away",
-                         "name the grid that the text was made for"));
-  }
+  return 1;
+}
+
+CellGrid ReadScreen(VTermScreen* screen, GridSize size) {
   CellGrid grid(size);
   for (int row = 0; row < size.rows; ++row) {
     for (int column = 0; column < size.columns; ++column) {
@@ -80,6 +83,40 @@ Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size) {
     }
   }
   return grid;
+}
+
+Error TooLarge(int scrolled, GridSize size) {
+  return BadInput("ANSI text",
+                  "does not fit into " + std::to_string(size.columns) + " x " +
+                      std::to_string(size.rows) + " cells: " +
+                      std::to_string(scrolled) + " lines scrolled away",
+                  "name the grid that the text was made for");
+}
+
+}  // namespace
+
+Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size) {
+  if (size.columns < 1 || size.rows < 1) {
+    return Fail(BadInput("grid", "a terminal has at least 1 x 1 cells"));
+  }
+  RTB_ASSIGN_OR_RETURN(const std::string input, TerminalInput(ansi));
+  const std::unique_ptr<VTerm, FreeTerminal> terminal(
+      vterm_new(size.rows, size.columns));
+  if (!terminal) return Fail(Failure("ANSI text", "libvterm does not start"));
+  vterm_set_utf8(terminal.get(), 1);
+  VTermScreen* const screen = vterm_obtain_screen(terminal.get());
+  vterm_screen_enable_altscreen(screen, 1);
+  Scrolled scrolled;
+  VTermScreenCallbacks callbacks{};
+  callbacks.sb_pushline = CountPushed;
+  callbacks.moverect = CountMoved;
+  callbacks.settermprop = NoteProperty;
+  vterm_screen_set_callbacks(screen, &callbacks, &scrolled);
+  vterm_screen_reset(screen, 1);
+  vterm_input_write(terminal.get(), input.data(), input.size());
+  vterm_screen_flush_damage(screen);
+  if (scrolled.lines > 0) return Fail(TooLarge(scrolled.lines, size));
+  return ReadScreen(screen, size);
 }
 
 }  // namespace rtb

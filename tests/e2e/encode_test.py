@@ -60,7 +60,7 @@ class EncodeTest(ProgramTest):
         lines = text.split("\n")
         self.assertEqual(len(lines), 3)
         for line in lines[:2]:
-            self.assertTrue(line.endswith("\x1b[0m"), line)
+            self.assertTrue(line.endswith("\x1b[m"), line)
             plain = re.sub(r"\x1b\[[0-9;]*m", "", line)
             self.assertEqual(plain, "▄▄▄▄")
 

@@ -9,29 +9,9 @@
 #include "core/math/random.h"
 #include "encoders/emit/emit.h"
 #include "encoders/emit/hex_color.h"
+#include "tests/encoders/given_source.h"
 
 namespace rtb {
-
-namespace {
-
-/// Answers one plan with what it was given.
-class GivenSource : public FragmentSource {
- public:
-  explicit GivenSource(std::vector<Rgb> values) : values_(std::move(values)) {}
-
-  Result<Fragments> Query(const SamplePlan& plan) override {
-    Fragments fragments(plan);
-    RTB_CHECK_EQ(fragments.values.size(), values_.size());
-    fragments.values.swap(values_);
-    values_.clear();
-    return fragments;
-  }
-
- private:
-  std::vector<Rgb> values_;
-};
-
-}  // namespace
 
 std::vector<Rgb> GrayValues(const std::vector<std::vector<int>>& codes) {
   std::vector<Rgb> values;

@@ -5,8 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "core/color/srgb_tables.h"
 #include "core/math/random.h"
+#include "tests/simd_targets.h"
 
 namespace rtb {
 namespace {
@@ -83,6 +86,89 @@ TEST(Srgb, EncodingIsTheFormulaForFloatsOfAnyKind) {
         std::bit_cast<float>(0x37800000u + (bits & 0x07ffffffu));
     ASSERT_EQ(SrgbEncode8(shown), CodeByTheFormula(shown)) << shown;
   }
+}
+
+double EncodeByTheFormula(float linear) {
+  if (!(linear > 0)) return 0;
+  const double l = std::fmin(linear, 1.0);
+  return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
+}
+
+// The float above the knee lies on the power's side of the formula.
+TEST(Srgb, TheKneeIsTheLastFloatOfTheLinearPiece) {
+  EXPECT_LE(static_cast<double>(SrgbCurveTable::kKnee), 0.0031308);
+  EXPECT_GT(static_cast<double>(std::nextafter(SrgbCurveTable::kKnee, 1.0f)),
+            0.0031308);
+}
+
+TEST(Srgb, UnroundedEncodingIsTheFormulaToOneInTenMillion) {
+  for (std::uint32_t i = 0; i < 3'000'000; ++i) {
+    const std::uint32_t bits = RandomBits(i, 1, 0, 0);
+    const float any = std::bit_cast<float>(bits);
+    ASSERT_NEAR(SrgbEncode(any), EncodeByTheFormula(any), 1e-7) << any;
+    const float shown =
+        std::bit_cast<float>(0x37800000u + (bits & 0x07ffffffu));
+    ASSERT_NEAR(SrgbEncode(shown), EncodeByTheFormula(shown), 1e-7) << shown;
+  }
+}
+
+/// Random bits, and floats where codes differ.
+std::vector<float> FloatsOfAnyKind(std::uint32_t count) {
+  std::vector<float> values = {
+      kNan, -kNan, kInf, -kInf, 0.0f, -0.0f, 1, 2, SrgbCurveTable::kKnee};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t bits = RandomBits(i, 2, 0, 0);
+    values.push_back(std::bit_cast<float>(bits));
+    values.push_back(std::bit_cast<float>(0x37800000u + (bits & 0x07ffffffu)));
+  }
+  return values;
+}
+
+bool HaveEqualBits(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+// Lengths up to beyond twice the lanes of any target: every remainder.
+TEST(Srgb, VectorsEncodeAsSingleValuesDo) {
+  const std::vector<float> values = FloatsOfAnyKind(100'000);
+  const std::span<const float> all(values);
+  ForEachSimdTarget([&] {
+    for (std::size_t count = 0; count < 40; ++count) {
+      std::vector<float> encoded(count + 1, -7);
+      SrgbEncode(all.first(count), std::span(encoded).first(count));
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_PRED2(HaveEqualBits, encoded[i], SrgbEncode(values[i]));
+      }
+      EXPECT_EQ(encoded[count], -7);
+    }
+    std::vector<float> encoded(values.size());
+    SrgbEncode(all, encoded);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      ASSERT_PRED2(HaveEqualBits, encoded[i], SrgbEncode(values[i]))
+          << values[i];
+    }
+  });
+}
+
+TEST(Srgb, VectorsOfColorsEncodeAsSingleColorsDo) {
+  const std::vector<float> values = FloatsOfAnyKind(100'000);
+  std::vector<Rgb> colors;
+  for (std::size_t i = 0; i + 3 <= values.size(); i += 3) {
+    colors.emplace_back(values[i], values[i + 1], values[i + 2]);
+  }
+  const std::span<const Rgb> all(colors);
+  ForEachSimdTarget([&] {
+    for (const std::size_t count : {0, 1, 2, 3, 5, 6, 7, 20, 50'000}) {
+      std::vector<Rgb8> codes(count);
+      std::vector<Rgb> encoded(count, Rgb(0));
+      Encode8(all.first(count), codes);
+      SrgbEncode(all.first(count), encoded);
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_EQ(codes[i], Encode8(colors[i])) << colors[i];
+        ASSERT_EQ(encoded[i].y, SrgbEncode(colors[i].y)) << colors[i];
+      }
+    }
+  });
 }
 
 TEST(Srgb, FloatTransferIsItsOwnInverse) {

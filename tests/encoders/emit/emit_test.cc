@@ -25,35 +25,6 @@ TEST(Utf8Test, UsesOneToFourBytes) {
   EXPECT_EQ(Utf8(0x10FFFF), "\xF4\x8F\xBF\xBF");
 }
 
-TEST(EmitAnsiTest, SetsBothColorsInOneSequence) {
-  EXPECT_EQ(EmitAnsi(Row({{U'▄', {1, 2, 3}, {4, 5, 6}}})),
-            "\x1b[38;2;1;2;3;48;2;4;5;6m▄\x1b[0m\n");
-}
-
-TEST(EmitAnsiTest, NamesChangedColorsOnly) {
-  EXPECT_EQ(EmitAnsi(Row({{U'▄', kRed, kBlue},
-                          {U'▀', kRed, kBlue},
-                          {U'▄', kRed, kRed},
-                          {U'▄', kBlue, kRed}})),
-            "\x1b[38;2;255;0;0;48;2;0;0;255m▄▀\x1b[48;2;255;0;0m▄"
-            "\x1b[38;2;0;0;255m▄\x1b[0m\n");
-}
-
-// A space shows no foreground, a full block no background.
-TEST(EmitAnsiTest, LeavesOutColorsThatDoNotShow) {
-  EXPECT_EQ(
-      EmitAnsi(
-          Row({{U' ', kRed, kBlue}, {U'█', kRed, kRed}, {U'▄', kRed, kBlue}})),
-      "\x1b[48;2;0;0;255m \x1b[38;2;255;0;0m█▄\x1b[0m\n");
-}
-
-TEST(EmitAnsiTest, StartsEveryLineAfresh) {
-  CellGrid grid({1, 2});
-  grid.cells = {{U' ', {}, kBlue}, {U' ', {}, kBlue}};
-  EXPECT_EQ(EmitAnsi(grid),
-            "\x1b[48;2;0;0;255m \x1b[0m\n\x1b[48;2;0;0;255m \x1b[0m\n");
-}
-
 TEST(EmitJsonTest, ListsCellsRowByRow) {
   CellGrid grid({1, 2});
   grid.cells = {{U'▄', {1, 2, 255}, kBlue}, {U'"', kRed, {}}};
@@ -93,6 +64,17 @@ TEST(EmitSvgTest, DrawsShadesTranslucentAndFullBlocksWithoutBackground) {
                               "fill=\"#ff0000\" fill-opacity=\"0.25\"/>\n"
                               "<rect x=\"8\" y=\"0\" width=\"8\" height=\"16\" "
                               "fill=\"#ff0000\"/>\n</svg>"));
+}
+
+// U+1FB3C in the second cell: (0, 2/3), (1/2, 1) and the lower left corner.
+TEST(EmitSvgTest, DrawsWedgesAsPolygons) {
+  const std::string svg = EmitSvg(
+      Row({{U' ', kRed, kBlue}, {char32_t{0x1FB3C}, kRed, kBlue}}), 12, 24);
+  EXPECT_THAT(svg, testing::HasSubstr(
+                       "<rect x=\"0\" y=\"0\" width=\"24\" height=\"24\" "
+                       "fill=\"#0000ff\"/>\n"
+                       "<polygon points=\"18,24 12,24 12,16\" fill=\"#ff0000\" "
+                       "shape-rendering=\"geometricPrecision\"/>\n</svg>"));
 }
 
 // Thirds of 16 rows.

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 #include <numeric>
 
-#include "core/base/check.h"
 #include "encoders/glyphs/patterns.h"
+#include "tests/encoders/glyphs/mask_text.h"
 
 namespace rtb {
 namespace {
@@ -17,39 +16,11 @@ struct Size {
 };
 constexpr Size kSizes[] = {{8, 16}, {1, 1}, {7, 13}, {5, 9}, {10, 20}};
 
-Mask MaskOf(char32_t glyph, int width, int height) {
-  const auto shape = ShapeOf(glyph);
-  RTB_CHECK(shape.has_value());
-  return RasterizeShape(*shape, width, height);
-}
-
 /// Share of the cell that a glyph covers.
 double Area(char32_t glyph, Size size) {
   const Mask mask = MaskOf(glyph, size.width, size.height);
   return std::accumulate(mask.coverage.begin(), mask.coverage.end(), 0.0) /
          (size.width * size.height);
-}
-
-/// One row of a mask: ' ' 0, '#' 1, else the coverage in tenths.
-std::string RowText(const Mask& mask, int y) {
-  std::string text;
-  for (int x = 0; x < mask.width; ++x) {
-    const float coverage = mask.at(x, y);
-    if (coverage == 0) {
-      text += '.';
-    } else if (coverage == 1) {
-      text += '#';
-    } else {
-      text += static_cast<char>('0' + std::lround(coverage * 10));
-    }
-  }
-  return text + "\n";
-}
-
-std::string Text(const Mask& mask) {
-  std::string text;
-  for (int y = 0; y < mask.height; ++y) text += RowText(mask, y);
-  return text;
 }
 
 TEST(MaskTest, AreasAreWhatTheNamesSayAtAnySize) {

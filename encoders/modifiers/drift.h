@@ -1,0 +1,26 @@
+/// @file
+/// Drift: slow changes of a picture, as when the camera pans over a gradient,
+/// which in a single cell are less than noise.
+#pragma once
+
+#include <vector>
+
+#include "core/math/vec.h"
+#include "core/render/sample_plan.h"
+
+namespace rtb {
+
+/// How one cell's mean has changed since the last frame.
+struct MeanChange {
+  V3d change{0};        ///< In the blend space.
+  double variance = 0;  ///< Of a cell's mean, per channel, from noise alone.
+};
+
+/// For each cell whether the mean of the 5 x 5 cells around it has moved by
+/// more than noise explains: a chi-square test of the three channels at
+/// 1/1000, the variance counted twice for encoders that do not use all their
+/// samples.
+std::vector<bool> FindDrift(GridSize grid,
+                            const std::vector<MeanChange>& changes);
+
+}  // namespace rtb

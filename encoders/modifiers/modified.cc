@@ -1,0 +1,156 @@
+// The encoder around an encoder.
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "encoders/modifiers/judge.h"
+#include "encoders/modifiers/modifiers.h"
+#include "encoders/modifiers/repaint.h"
+#include "encoders/modifiers/sampled_masks.h"
+
+namespace rtb {
+namespace {
+
+constexpr int kGrain = 64;
+
+/// The blocks that complement each other: with glyphs alone an encoder needs
+/// the dark side of what it draws.
+constexpr std::array<char32_t, 6> kHalves = {U' ',   0x2580, 0x2584,
+                                             0x2588, 0x258C, 0x2590};
+
+class Modified : public Encoder {
+ public:
+  Modified(std::unique_ptr<Encoder> encoder, Modifiers modifiers)
+      : encoder_(std::move(encoder)), modifiers_(std::move(modifiers)) {}
+
+  std::vector<char32_t> Candidates() const override {
+    return encoder_->Candidates();
+  }
+
+  Result<Encoding> Run(FragmentSource& source, GridSize grid,
+                       double cell_aspect,
+                       const EncodeContext& context) const override {
+    RTB_ASSIGN_OR_RETURN(Encoding encoding,
+                         encoder_->Run(source, grid, cell_aspect, context));
+    if (modifiers_.atlas || !FitsDepth(encoding.grid, context.depth)) {
+      RTB_RETURN_IF_ERROR(RepaintCells(context, encoding));
+    }
+    const CellGrid* const last = LastFrame(encoding.grid.size, context);
+    const bool median = modifiers_.color == ColorRule::kMedian;
+    if (median || last != nullptr) {
+      RTB_RETURN_IF_ERROR(JudgeCells(context, last, encoding));
+    }
+    return encoding;
+  }
+
+ private:
+  /// The last frame, where its cells may be kept.
+  const CellGrid* LastFrame(GridSize size, const EncodeContext& context) const {
+    const bool usable = modifiers_.temporal > 0 &&
+                        context.previous != nullptr &&
+                        context.previous->size == size &&
+                        FitsDepth(*context.previous, context.depth);
+    return usable ? context.previous : nullptr;
+  }
+
+  /// Glyphs that may be chosen, by rising code point.
+  std::vector<char32_t> GlyphsFor(const CellGrid& grid,
+                                  ColorDepth depth) const {
+    const std::vector<char32_t> candidates = encoder_->Candidates();
+    std::set<char32_t> glyphs(candidates.begin(), candidates.end());
+    if (candidates.empty()) {
+      for (const Cell& cell : grid.cells) glyphs.insert(cell.glyph);
+    }
+    if (depth == ColorDepth::kMono) {
+      glyphs.insert(kHalves.begin(), kHalves.end());
+    }
+    return {glyphs.begin(), glyphs.end()};
+  }
+
+  Result<Atlas> AtlasFor(const CellGrid& grid, ColorDepth depth, int width,
+                         int height) const {
+    const std::vector<char32_t> glyphs = GlyphsFor(grid, depth);
+    if (!modifiers_.atlas) return MakeAtlas(glyphs, width, height);
+    return MakeAtlas(glyphs, width, height, MaskSource::kFont,
+                     *modifiers_.atlas);
+  }
+
+  Status RepaintCells(const EncodeContext& context, Encoding& encoding) const {
+    SampleRaster raster =
+        RasterOf(encoding.evidence, modifiers_.blend, context.threads);
+    RTB_ASSIGN_OR_RETURN(
+        const Atlas atlas,
+        AtlasFor(encoding.grid, context.depth, raster.width, raster.height));
+    encoding.grid = Repaint(std::move(raster), atlas,
+                            {context.depth, modifiers_.dither, modifiers_.blend,
+                             context.seed, context.threads});
+    return {};
+  }
+
+  /// Median colors, and the last frame's cells where they may stay.
+  Status JudgeCells(const EncodeContext& context, const CellGrid* last,
+                    Encoding& encoding) const {
+    const SamplesByCell samples(encoding.evidence);
+    std::set<char32_t> glyphs;
+    for (const Cell& cell : encoding.grid.cells) glyphs.insert(cell.glyph);
+    if (last != nullptr) {
+      for (const Cell& cell : last->cells) glyphs.insert(cell.glyph);
+    }
+    RTB_ASSIGN_OR_RETURN(const SampledMasks masks,
+                         SampledMasks::Make(encoding.evidence, samples, glyphs,
+                                            modifiers_.atlas));
+    RTB_ASSIGN_OR_RETURN(const double partitions,
+                         Partitions(encoding.grid, context.depth));
+    const CellJudge judge(
+        {modifiers_, context.depth, encoding.evidence.weight, partitions},
+        samples, masks);
+    const std::vector<bool> drifted = DriftOf(judge, encoding.grid, last);
+    ParallelFor(encoding.grid.size.cells(), kGrain, context.threads,
+                [&](int begin, int end) {
+                  for (int i = begin; i < end; ++i) {
+                    const auto at = static_cast<std::size_t>(i);
+                    Cell& cell = encoding.grid.cells[at];
+                    cell =
+                        judge.Choose(i, cell, last ? &last->cells[at] : nullptr,
+                                     drifted[at]);
+                  }
+                });
+    return {};
+  }
+
+  /// Where the picture has moved; nowhere without a last frame.
+  static std::vector<bool> DriftOf(const CellJudge& judge, const CellGrid& grid,
+                                   const CellGrid* last) {
+    if (last == nullptr) return std::vector<bool>(grid.cells.size());
+    std::vector<MeanChange> changes;
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+      changes.push_back(
+          judge.ChangeOf(static_cast<int>(i), grid.cells[i], last->cells[i]));
+    }
+    return FindDrift(grid.size, changes);
+  }
+
+  /// Masks to choose from; of two complementary ones the first counts.
+  Result<double> Partitions(const CellGrid& grid, ColorDepth depth) const {
+    constexpr int kWidth = 8;
+    constexpr int kHeight = 16;
+    RTB_ASSIGN_OR_RETURN(const Atlas atlas,
+                         AtlasFor(grid, depth, kWidth, kHeight));
+    return static_cast<double>(
+        std::ranges::count(atlas.candidates(), -1, &FitMask::complement));
+  }
+
+  std::unique_ptr<Encoder> encoder_;
+  Modifiers modifiers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Encoder> MakeModified(std::unique_ptr<Encoder> encoder,
+                                      const Modifiers& modifiers) {
+  return std::make_unique<Modified>(std::move(encoder), modifiers);
+}
+
+}  // namespace rtb
