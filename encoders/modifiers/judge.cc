@@ -91,9 +91,9 @@ Cell CellJudge::Choose(int index, const Cell& cell, const Cell* last,
 Cell CellJudge::Refit(const Cell& cell, const FitMask& mask,
                       std::span<const V3d> samples) const {
   if (options_.depth == ColorDepth::kMono) return cell;
-  const Fit fit = palette_
-                      ? RefitToPalette(mask, *palette_, samples)
-                      : RefitColors(mask, options_.modifiers.blend, samples);
+  const CellFit fit =
+      palette_ ? RefitToPalette(mask, *palette_, samples)
+               : RefitColors(mask, options_.modifiers.blend, samples);
   return {cell.glyph, fit.cell.fg, fit.cell.bg};
 }
 
