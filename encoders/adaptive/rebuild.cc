@@ -15,7 +15,7 @@ namespace {
 constexpr int kGrain = 16;
 
 /// Samples that a sub-pixel is made of.
-constexpr std::size_t kNearest = 4;
+constexpr std::size_t kNearest = 3;
 
 /// Samples farther than this from a cell do not count in it.
 constexpr float kMargin = 8;
@@ -158,7 +158,7 @@ class CellBuilder {
     for (std::size_t k = 0; k < std::min(kNearest, near_.size()); ++k) {
       const float key = keys_[k][i];
       const Near& near = near_[IndexOf(key)];
-      const float weight = 1 / key;
+      const float weight = 1 / (key * key);
       encoded += near.encoded * weight;
       linear += near.linear * weight;
       sum += weight;

@@ -23,7 +23,13 @@ class SlotGains {
 
   /// The slot of the largest gain, of equal ones the first.
   int Best() const {
-    return static_cast<int>(std::ranges::max_element(gains_) - gains_.begin());
+    std::array<float, kSlotColumns> columns{};
+    for (std::size_t i = 0; i < kSlots; ++i) {
+      float& best = columns[i % kSlotColumns];
+      best = best > gains_[i] ? best : gains_[i];
+    }
+    const float best = std::ranges::max(columns);
+    return static_cast<int>(std::ranges::find(gains_, best) - gains_.begin());
   }
   float gain(int slot) const { return gains_[At(slot)]; }
   /// From a slot's center to the nearest sample.
