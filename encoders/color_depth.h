@@ -12,4 +12,19 @@ enum class ColorDepth {
   kMono,       ///< Glyphs alone, in the terminal's own two colors.
 };
 
+/// `truecolor`, `256`, `16` or `mono`.
+constexpr const char* NameOf(ColorDepth depth) {
+  switch (depth) {
+    case ColorDepth::k256:
+      return "256";
+    case ColorDepth::k16:
+      return "16";
+    case ColorDepth::kMono:
+      return "mono";
+    case ColorDepth::kTruecolor:
+      break;
+  }
+  return "truecolor";
+}
+
 }  // namespace rtb

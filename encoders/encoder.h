@@ -32,6 +32,9 @@ struct EncoderInfo {
                          ///< most that the mean over cells can be.
   std::string glyphs;    ///< The code points it may use, in words.
   std::vector<EncoderParameter> parameters;
+  bool needs_parameters = false;  ///< Its name alone is no SPEC.
+  std::string version = {};  ///< Of the library that chooses; empty = ours.
+  std::string why_not = {};  ///< Why it cannot run here; empty = it can.
 };
 
 /// What an encoding depends on beside the picture.

@@ -2,6 +2,10 @@
 // RAYTERM's "pixel mode".
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 
 #include "encoders/encode_cells.h"
@@ -17,16 +21,30 @@ Cell EncodeCell(std::span<const Rgb> samples) {
   return {kLowerHalf, Encode8(samples[1]), Encode8(samples[0])};
 }
 
-/// The same with vectors, where all of the work is: in the transfer.
+// A cell is the glyph and then six bytes of codes: red, green and blue of the
+// foreground, which is the lower sample, and of the background.
+static_assert(sizeof(Cell) == 12 && std::endian::native == std::endian::little);
+static_assert(offsetof(Cell, fg) == 4 && offsetof(Cell, bg) == 7);
+
+/// The cell of two samples' codes, two more bytes of which may be read.
+void StoreCell(const Rgb8* codes, Cell& cell) {
+  std::uint64_t both = 0;
+  std::memcpy(&both, codes, sizeof(both));
+  constexpr std::uint64_t kColor = 0xffffff;
+  const std::uint64_t colors = (both >> 24 & kColor) | (both & kColor) << 24;
+  auto* bytes = reinterpret_cast<std::byte*>(&cell);
+  std::memcpy(bytes, &kLowerHalf, sizeof(kLowerHalf));
+  std::memcpy(bytes + offsetof(Cell, fg), &colors, sizeof(colors));
+}
+
+/// The same with vectors, in the transfer.
 void EncodeBatch(std::span<const Rgb> samples, std::span<Cell> cells) {
   constexpr std::size_t kChunk = 64;
-  std::array<Rgb8, 2 * kChunk> codes;
+  std::array<Rgb8, 2 * kChunk + 1> codes;
   while (!cells.empty()) {
     const std::size_t count = std::min(cells.size(), kChunk);
     Encode8(samples.first(2 * count), std::span(codes).first(2 * count));
-    for (std::size_t i = 0; i < count; ++i) {
-      cells[i] = {kLowerHalf, codes[2 * i + 1], codes[2 * i]};
-    }
+    for (std::size_t i = 0; i < count; ++i) StoreCell(&codes[2 * i], cells[i]);
     samples = samples.subspan(2 * count);
     cells = cells.subspan(count);
   }

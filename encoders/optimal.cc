@@ -8,6 +8,7 @@
 
 #include "encoders/encode_cells.h"
 #include "encoders/fit/atlas_parameters.h"
+#include "encoders/fit/batch_fit.h"
 #include "encoders/fit/fit.h"
 #include "encoders/plan_encoder.h"
 #include "encoders/registry.h"
@@ -17,7 +18,8 @@ namespace {
 
 class Optimal : public PlanEncoder {
  public:
-  Optimal(Atlas atlas, Blend blend) : atlas_(std::move(atlas)), blend_(blend) {}
+  Optimal(Atlas atlas, Blend blend)
+      : atlas_(std::move(atlas)), blend_(blend), batch_(atlas_) {}
 
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
@@ -26,12 +28,17 @@ class Optimal : public PlanEncoder {
 
   Result<CellGrid> Encode(const Fragments& fragments,
                           const EncodeContext& context) const override {
-    return EncodeCells(fragments, atlas_.width() * atlas_.height(),
-                       context.threads, [this](std::span<const Rgb> linear) {
-                         std::vector<V3d> samples(linear.size());
-                         ToBlend(blend_, linear, samples);
-                         return FitCell(atlas_, blend_, samples).cell;
-                       });
+    const int samples = atlas_.width() * atlas_.height();
+    if (blend_ == Blend::kSrgb && !context.scalar) {
+      return EncodeCells(
+          fragments, samples, context.threads,
+          [this](std::span<const Rgb> linear, std::span<Cell> cells) {
+            batch_.Fit(linear, cells);
+          });
+    }
+    return EncodeCells(
+        fragments, samples, context.threads,
+        [this](std::span<const Rgb> linear) { return EncodeCell(linear); });
   }
 
   std::vector<char32_t> Candidates() const override {
@@ -43,8 +50,15 @@ class Optimal : public PlanEncoder {
   }
 
  private:
+  Cell EncodeCell(std::span<const Rgb> linear) const {
+    std::vector<V3d> samples(linear.size());
+    ToBlend(blend_, linear, samples);
+    return FitCell(atlas_, blend_, samples).cell;
+  }
+
   Atlas atlas_;
   Blend blend_;
+  BatchFit batch_;
 };
 
 Result<std::unique_ptr<Encoder>> Make(const EncoderParameters& given) {

@@ -38,8 +38,14 @@ struct EncoderSpec {
 /// possible.
 Result<EncoderSpec> ParseEncoderSpec(std::string_view text);
 
-/// Splits `SPEC[,SPEC...]` or `all` (quotes protect commas).
+/// Splits `SPEC[,SPEC...]` or `all` (quotes protect commas): every encoder that
+/// can run here and whose name alone is a SPEC. In `external:COMMAND` the
+/// command is the rest of the text, commas and colons included; its other
+/// parameters stand before it: `external:timeout=60:COMMAND`.
 Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text);
+
+/// The modifiers that an entry takes: all but those among its parameters.
+std::vector<EncoderParameter> ModifiersOf(const EncoderEntry& entry);
 
 /// Makes an entry's encoder, with the modifiers that any takes
 /// (modifiers/modifiers.h) around it.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr char kForm[] = "name[:key=value...]";
 constexpr char kAll[] = "all";
-/// This one's parameter is a command: the rest of the text, as it stands.
+/// This one's last parameter is a command: the rest of the text, as it stands.
 constexpr std::string_view kRestOfText = "external:";
 constexpr char kCommand[] = "command";
 
@@ -114,15 +114,34 @@ Status AddParameter(std::string_view text, EncoderSpec& spec) {
   return {};
 }
 
-/// Splits `name:key=value:...` without looking anything up.
-Result<EncoderSpec> SplitSpec(std::string_view text) {
+/// Whether a text begins with `key=value:`, where the value holds no blank.
+bool BeginsWithParameter(std::string_view text) {
+  const std::size_t key = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
+  const std::size_t end = text.find_first_of(": \t");
+  return key != text.npos && key > 0 && text[key] == '=' && end != text.npos &&
+         text[end] == ':';
+}
+
+/// Splits `external:key=value:...:COMMAND`.
+Result<EncoderSpec> SplitExternal(std::string_view text) {
   EncoderSpec spec;
   spec.text = text;
-  if (text.starts_with(kRestOfText)) {
-    spec.name = text.substr(0, kRestOfText.size() - 1);
-    spec.parameters[kCommand] = text.substr(kRestOfText.size());
-    return spec;
+  spec.name = text.substr(0, kRestOfText.size() - 1);
+  text.remove_prefix(kRestOfText.size());
+  while (BeginsWithParameter(text)) {
+    RTB_ASSIGN_OR_RETURN(const std::string_view part, TakeUntil(':', text));
+    RTB_RETURN_IF_ERROR(AddParameter(part, spec));
   }
+  RTB_RETURN_IF_ERROR(AddParameter(std::string(kCommand) + "=", spec));
+  spec.parameters[kCommand] = text;
+  return spec;
+}
+
+/// Splits `name:key=value:...` without looking anything up.
+Result<EncoderSpec> SplitSpec(std::string_view text) {
+  if (text.starts_with(kRestOfText)) return SplitExternal(text);
+  EncoderSpec spec;
+  spec.text = text;
   std::string_view rest = text;
   RTB_ASSIGN_OR_RETURN(spec.name, TakeUntil(':', rest));
   bool more = spec.name.size() < text.size();
@@ -138,6 +157,7 @@ Result<EncoderSpec> SplitSpec(std::string_view text) {
 std::vector<EncoderSpec> AllSpecs() {
   std::vector<EncoderSpec> specs;
   for (const EncoderEntry& entry : EncoderEntries()) {
+    if (entry.info.needs_parameters || !entry.info.why_not.empty()) continue;
     specs.push_back({entry.info.name, {}, entry.info.name});
   }
   return specs;
@@ -173,6 +193,16 @@ Result<std::vector<EncoderSpec>> ParseEncoderSpecs(std::string_view text) {
     more = part.size() < before;
   }
   return specs;
+}
+
+std::vector<EncoderParameter> ModifiersOf(const EncoderEntry& entry) {
+  std::vector<EncoderParameter> modifiers;
+  for (const EncoderParameter& modifier : ModifierParameters()) {
+    if (!Lists(entry.info.parameters, modifier.name)) {
+      modifiers.push_back(modifier);
+    }
+  }
+  return modifiers;
 }
 
 Result<std::unique_ptr<Encoder>> MakeEncoder(const EncoderEntry& entry,

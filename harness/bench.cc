@@ -1,5 +1,6 @@
 #include "harness/bench.h"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -20,12 +21,20 @@ constexpr int kWarmUps = 3;
 /// An encoder with what was measured of it.
 struct Configuration {
   std::string spec;
+  std::string version;  ///< Of the library behind the encoder, if any.
   std::unique_ptr<Encoder> encoder;
   Encoding encoding;
   StageTimes plan{"plan", {}, {}};
   StageTimes render{"render", {}, {}};
   StageTimes encode{"encode", {}, {}};
 };
+
+std::string VersionOf(const EncoderSpec& spec) {
+  const auto name = [](const EncoderEntry& entry) { return entry.info.name; };
+  const auto entry = std::ranges::find(EncoderEntries(), spec.name, name);
+  RTB_CHECK(entry != EncoderEntries().end());
+  return entry->info.version;
+}
 
 Result<std::vector<Configuration>> MakeConfigurations(
     const std::string& encoders) {
@@ -35,6 +44,7 @@ Result<std::vector<Configuration>> MakeConfigurations(
   for (const EncoderSpec& spec : specs) {
     Configuration configuration;
     configuration.spec = spec.text;
+    configuration.version = VersionOf(spec);
     RTB_ASSIGN_OR_RETURN(configuration.encoder, MakeEncoder(spec));
     configurations.push_back(std::move(configuration));
   }
@@ -67,6 +77,7 @@ Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
   EncodeContext context;
   context.seed = scene.options.seed;
   context.threads = scene.options.threads;
+  context.depth = request.depth;
   RTB_ASSIGN_OR_RETURN(TimedEncoding run,
                        RunEncoder(*configuration.encoder, source, request.grid,
                                   CellAspect(request.decode), context));
@@ -76,10 +87,13 @@ Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
     AddTime(run.encode, configuration.encode);
   }
   Encoding& first = configuration.encoding;
-  if (first.grid.cells.empty())
+  if (first.grid.cells.empty()) {
     first = std::move(run.encoding);
-  else
-    RTB_CHECK(first.grid == run.encoding.grid);
+  } else if (first.grid != run.encoding.grid) {
+    // Another program's doing: our encoders are functions of their arguments.
+    return Fail(
+        Failure(configuration.spec, "drew other cells when it was run again"));
+  }
   return {};
 }
 
@@ -113,6 +127,7 @@ Status Evaluate(const BenchRequest& request, const PreparedScene& scene,
   RunResult run;
   run.scene = scene.scene->name;
   run.encoder = configuration.spec;
+  run.encoder_version = configuration.version;
   run.grid = request.grid;
   // Each sample that the encoder asks for takes `spp` rays.
   run.rays_per_cell = configuration.encoding.rays_per_cell * scene.options.spp;
@@ -141,6 +156,7 @@ RunSettings SharedSettings(const BenchRequest& request,
   settings.exposure = scene.exposure;
   settings.cell = CellOf(request.decode);
   settings.reference = reference.name;
+  settings.color = NameOf(request.depth);
   settings.decode =
       request.decode.masks == MaskSource::kFont ? "font" : "geometric";
   return settings;

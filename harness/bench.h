@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "encoders/cell_grid.h"
+#include "encoders/color_depth.h"
 #include "encoders/decode.h"
 #include "harness/prepared_scene.h"
 #include "harness/results/run_record.h"
@@ -18,6 +19,7 @@ struct BenchRequest {
   SceneRequest scene;
   std::string encoders = "all";  ///< `SPEC[,SPEC...]` or `all`.
   GridSize grid{120, 40};
+  ColorDepth depth = ColorDepth::kTruecolor;
   DecodeOptions decode;
   std::string reference;  ///< As ChooseReference takes it.
   int repeat = 10;        ///< Timed runs of each encoder.

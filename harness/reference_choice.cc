@@ -18,9 +18,16 @@ struct DefaultReference {
   std::vector<std::string> notes;
 };
 
+/// Renderers whose images show what the integrator computes: POV-Ray's show
+/// direct light and mirrors alone, as `whitted` does.
+std::vector<const char*> RenderersFor(const std::string& integrator) {
+  if (integrator == "path") return {"cycles"};
+  return {"povray", "cycles"};
+}
+
 DefaultReference DefaultChoice(const PreparedScene& scene) {
   DefaultReference choice;
-  for (const char* renderer : {"povray", "cycles"}) {
+  for (const char* renderer : RenderersFor(scene.options.integrator)) {
     const auto file = FindReference(scene.file, renderer, scene.options.time);
     if (!file) continue;
     const Status fits =
@@ -33,8 +40,8 @@ DefaultReference DefaultChoice(const PreparedScene& scene) {
                            ": it is not used");
   }
   choice.notes.push_back(
-      "no reference image shows this scene at this time: the reference is our "
-      "own image");
+      "no reference image shows this scene at this time by this integrator: "
+      "the reference is our own image");
   return choice;
 }
 

@@ -93,7 +93,8 @@ Result<ProcessResult> RunProcess(const ProcessOptions& options) {
   }
   const Deadline deadline(options.timeout_seconds);
   RTB_ASSIGN_OR_RETURN(Child child,
-                       Child::Start(*program, options.argv, options.directory));
+                       Child::Start(*program, options.argv, options.directory,
+                                    options.environment));
   ProcessResult result;
   if (!Collect(&child, deadline, &result) || !Await(&child, deadline)) {
     std::ostringstream what;

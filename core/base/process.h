@@ -17,6 +17,8 @@ struct ProcessOptions {
   std::filesystem::path directory;  ///< Working directory; empty = ours.
   double timeout_seconds = 0;       ///< 0 = none; past it the child's whole
                                     ///< process group is killed.
+  /// `NAME=value`s that replace ours of the same names.
+  std::vector<std::string> environment = {};
 };
 
 /// What became of it.

@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace rtb {
@@ -23,6 +25,32 @@ struct Pipe {
     return true;
   }
 };
+
+/// For exec: the texts, and a null pointer behind them.
+std::vector<char*> Pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (const std::string& text : texts) {
+    pointers.push_back(const_cast<char*>(text.c_str()));
+  }
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Our environment, but for variables that `replacing` sets.
+std::vector<std::string> Environment(
+    const std::vector<std::string>& replacing) {
+  const auto name = [](std::string_view variable) {
+    return variable.substr(0, variable.find('='));
+  };
+  std::vector<std::string> all = replacing;
+  for (char** ours = environ; *ours != nullptr; ++ours) {
+    const bool replaced = std::ranges::any_of(
+        replacing,
+        [&](const std::string& other) { return name(other) == name(*ours); });
+    if (!replaced) all.emplace_back(*ours);
+  }
+  return all;
+}
 
 /// What the child does between its birth and the program's start.
 class SpawnPlan {
@@ -68,14 +96,10 @@ class SpawnPlan {
 
   /// @return 0 or an errno value, also for what fails inside the child.
   int Spawn(const std::filesystem::path& program,
-            const std::vector<std::string>& argv, pid_t* pid) const {
-    std::vector<char*> words;
-    for (const std::string& word : argv) {
-      words.push_back(const_cast<char*>(word.c_str()));
-    }
-    words.push_back(nullptr);
+            const std::vector<std::string>& argv,
+            const std::vector<std::string>& environment, pid_t* pid) const {
     return ::posix_spawn(pid, program.c_str(), &actions_, &attributes_,
-                         words.data(), environ);
+                         Pointers(argv).data(), Pointers(environment).data());
   }
 
  private:
@@ -87,7 +111,8 @@ class SpawnPlan {
 
 Result<Child> Child::Start(const std::filesystem::path& program,
                            const std::vector<std::string>& argv,
-                           const std::filesystem::path& directory) {
+                           const std::filesystem::path& directory,
+                           const std::vector<std::string>& environment) {
   Pipe out, err;
   if (!out.Open() || !err.Open()) {
     return Fail(Failure(program.string(), "no pipe: " + ErrnoText()));
@@ -97,7 +122,8 @@ Result<Child> Child::Start(const std::filesystem::path& program,
   plan.IsolateSignals();
   if (!directory.empty()) plan.ChangeFolder(directory);
   pid_t pid = -1;
-  if (const int code = plan.Spawn(program, argv, &pid)) {
+  if (const int code =
+          plan.Spawn(program, argv, Environment(environment), &pid)) {
     return Fail(
         Failure(program.string(), "cannot be started: " + ErrnoText(code)));
   }

@@ -20,9 +20,11 @@ class Child {
   /// Starts a program; its standard input is empty.
   /// @param program full path; @param argv includes the program's name.
   /// @param directory working directory; empty = ours.
+  /// @param environment `NAME=value`s that replace ours of the same names.
   static Result<Child> Start(const std::filesystem::path& program,
                              const std::vector<std::string>& argv,
-                             const std::filesystem::path& directory);
+                             const std::filesystem::path& directory,
+                             const std::vector<std::string>& environment);
 
   Child(Child&& other) noexcept;
   Child& operator=(Child&&) = delete;

@@ -40,14 +40,19 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> SrgbCodesOf(
       di, hn::ShiftRight<SrgbCodeTable::kShift>(hn::Add(entry, rest)));
 }
 
-/// table[index], for the 16 floats of a table.
-template <class D, class VI>
-HWY_INLINE hn::Vec<D> LookUp16(D d, const float* table, VI index) {
-  if constexpr (HWY_MAX_BYTES == 64 && !HWY_HAVE_SCALABLE) {
-    return hn::TableLookupLanes(hn::Load(d, table),
-                                hn::IndicesFromVec(d, index));
+/// 1 / first, for a mantissa of 4 bits, which `leading` ends on. The table
+/// holds rounded quotients, so both ways give the same; vectors of 16 lanes
+/// hold all of it.
+template <class D, class V, class VI>
+HWY_INLINE V ReciprocalOf(D d, V first, VI leading,
+                          const SrgbCurveTable& table) {
+  if constexpr (HWY_MAX_BYTES == 64) {
+    const hn::RebindToSigned<D> di;
+    const VI place = hn::And(leading, hn::Set(di, 15));
+    return hn::TableLookupLanes(hn::Load(d, table.reciprocal.data()),
+                                hn::IndicesFromVec(d, place));
   } else {
-    return hn::GatherIndex(d, table, index);
+    return hn::Div(hn::Set(d, 1), first);
   }
 }
 
@@ -67,14 +72,14 @@ HWY_INLINE V SrgbCurveOf(D d, V linear, const SrgbCurveTable& table) {
   const V start = hn::GatherIndex(
       d, table.start.data(),
       hn::Sub(leading, hn::Set(di, static_cast<int>(T::kFirstBucket))));
-  const V reciprocal =
-      LookUp16(d, table.reciprocal.data(), hn::And(leading, hn::Set(di, 15)));
   // The mantissa less the bucket's first, exactly.
   const auto one_bits = hn::BitCast(di, one);
   const auto mantissa = hn::Or(hn::And(bits, hn::Set(di, 0x7fffff)), one_bits);
-  const auto first = hn::AndNot(hn::Set(di, (1 << T::kShift) - 1), mantissa);
-  const V e = hn::Mul(hn::Sub(hn::BitCast(d, mantissa), hn::BitCast(d, first)),
-                      reciprocal);
+  const auto first_bits =
+      hn::AndNot(hn::Set(di, (1 << T::kShift) - 1), mantissa);
+  const V first = hn::BitCast(d, first_bits);
+  const V e = hn::Mul(hn::Sub(hn::BitCast(d, mantissa), first),
+                      ReciprocalOf(d, first, leading, table));
   const V c = hn::Add(
       hn::Mul(hn::Add(hn::Mul(hn::Set(d, T::kC3), e), hn::Set(d, T::kC2)), e),
       hn::Set(d, T::kC1));

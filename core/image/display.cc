@@ -22,10 +22,10 @@ Image DisplayEncoded(const Image& linear, double exposure,
   std::transform(linear.pixels().begin(), linear.pixels().end(),
                  encoded.pixels().begin(), [&](const Rgb& color) {
                    const Rgb light = color * gain;
-                   if (round_to_8_bits) return EncodedValues(Encode8(light));
-                   return Rgb(SrgbEncode(light.x), SrgbEncode(light.y),
-                              SrgbEncode(light.z));
+                   return round_to_8_bits ? EncodedValues(Encode8(light))
+                                          : light;
                  });
+  if (!round_to_8_bits) SrgbEncode(encoded.pixels(), encoded.pixels());
   return encoded;
 }
 

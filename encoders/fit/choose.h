@@ -36,13 +36,15 @@ std::vector<Prospect> Survey(const Atlas& atlas,
 template <class Finish>
 auto ChooseBest(const std::vector<Prospect>& prospects, const Finish& finish) {
   using Finished = decltype(finish(std::size_t{0}));
-  const auto likely = std::ranges::min_element(prospects, {}, &Prospect::least);
-  double best =
-      finish(static_cast<std::size_t>(likely - prospects.begin())).error;
+  const auto likely = static_cast<std::size_t>(
+      std::ranges::min_element(prospects, {}, &Prospect::least) -
+      prospects.begin());
+  const Finished first = finish(likely);
+  double best = first.error;
   std::vector<Finished> finished;
   for (std::size_t i = 0; i < prospects.size(); ++i) {
     if (prospects[i].least > WithNoise(best)) continue;
-    finished.push_back(finish(i));
+    finished.push_back(i == likely ? first : finish(i));
     best = std::min(best, finished.back().error);
   }
   return *std::ranges::find_if(finished, [best](const Finished& fit) {

@@ -1,6 +1,5 @@
 // The encoder around an encoder.
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -15,10 +14,17 @@ namespace {
 
 constexpr int kGrain = 64;
 
-/// The blocks that complement each other: with glyphs alone an encoder needs
-/// the dark side of what it draws.
-constexpr std::array<char32_t, 6> kHalves = {U' ',   0x2580, 0x2584,
-                                             0x2588, 0x258C, 0x2590};
+/// Adds what the dark side of solid and half blocks needs when both colors are
+/// given: the complements of those that are there.
+void AddComplements(std::set<char32_t>& glyphs) {
+  constexpr std::pair<char32_t, char32_t> kPairs[] = {{0x2580, 0x2584},
+                                                      {0x258C, 0x2590}};
+  for (const auto& [one, other] : kPairs) {
+    if (!glyphs.contains(one) && !glyphs.contains(other)) continue;
+    glyphs.insert({one, other});
+  }
+  glyphs.insert({U' ', kFullBlock});
+}
 
 class Modified : public Encoder {
  public:
@@ -63,9 +69,7 @@ class Modified : public Encoder {
     if (candidates.empty()) {
       for (const Cell& cell : grid.cells) glyphs.insert(cell.glyph);
     }
-    if (depth == ColorDepth::kMono) {
-      glyphs.insert(kHalves.begin(), kHalves.end());
-    }
+    if (depth == ColorDepth::kMono) AddComplements(glyphs);
     return {glyphs.begin(), glyphs.end()};
   }
 

@@ -23,34 +23,13 @@
 #include "core/color/srgb-inl.h"
 #include "encoders/blend.h"
 #include "encoders/cell.h"
+#include "encoders/simd/transpose-inl.h"
 #include "encoders/steps.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtb {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using FloatLanes = hn::ScalableTag<float>;
-using IntLanes = hn::RebindToSigned<FloatLanes>;
-using Floats = hn::Vec<FloatLanes>;
-using Ints = hn::Vec<IntLanes>;
-using FloatMask = hn::Mask<FloatLanes>;
-
-/// Room for one value in each lane.
-constexpr std::size_t kMaxLanes = hn::MaxLanes(FloatLanes());
-
-/// kCount vectors in memory, one after the other.
-template <std::size_t kCount>
-struct LaneArray {
-  HWY_ALIGN_MAX float values[kCount * kMaxLanes];
-
-  Floats operator[](std::size_t i) const {
-    return hn::Load(FloatLanes(), values + i * kMaxLanes);
-  }
-  void Set(std::size_t i, Floats v) {
-    hn::Store(v, FloatLanes(), values + i * kMaxLanes);
-  }
-};
 
 /// A color in each lane.
 struct ColorLanes {
@@ -91,16 +70,14 @@ struct ColorArray {
 /// `linear` on.
 template <std::size_t kSamples>
 HWY_INLINE void LoadSteps(const float* linear, ColorArray<kSamples>& steps) {
+  constexpr std::size_t kValues = 3 * kSamples;
   const FloatLanes d;
-  const IntLanes di;
   const SrgbCurveTable& table = SrgbCurve();
   const Floats white = hn::Set(d, static_cast<float>(kWhiteSteps));
-  const Ints cell =
-      hn::Mul(hn::Iota(di, 0), hn::Set(di, static_cast<int>(3 * kSamples)));
-  for (std::size_t i = 0; i < 3 * kSamples; ++i) {
-    const Floats value = hn::GatherIndex(d, linear + i, cell);
-    steps.values.Set(i,
-                     hn::Round(hn::Mul(SrgbCurveOf(d, value, table), white)));
+  Transpose<kValues>(d, linear, steps.values);
+  for (std::size_t i = 0; i < kValues; ++i) {
+    const Floats encoded = SrgbCurveOf(d, steps.values[i], table);
+    steps.values.Set(i, hn::Round(hn::Mul(encoded, white)));
   }
 }
 
@@ -134,18 +111,18 @@ HWY_INLINE Ints CodesOfMeans(Floats sum, Floats count, Floats reciprocal) {
                        hn::Mul(hn::Add(codes, hn::Set(d, 0.5f)), reciprocal));
 }
 
-/// Three codes in each lane.
-struct CodeLanes {
-  Ints r, g, b;
-};
+/// The codes of a color in each lane: red, then green, then blue from the
+/// lowest byte on.
+HWY_INLINE Ints PackCodes(Ints r, Ints g, Ints b) {
+  return hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), hn::ShiftLeft<16>(b));
+}
 
-HWY_INLINE CodeLanes CodesOfMeans(const ColorLanes& sum, Floats count) {
-  const FloatLanes d;
-  const Floats one = hn::Set(d, 1);
+HWY_INLINE Ints CodesOfMeans(const ColorLanes& sum, Floats count) {
+  const Floats one = hn::Set(FloatLanes(), 1);
   const Floats reciprocal = hn::Div(one, hn::Max(count, one));
-  return {CodesOfMeans(sum.r, count, reciprocal),
-          CodesOfMeans(sum.g, count, reciprocal),
-          CodesOfMeans(sum.b, count, reciprocal)};
+  return PackCodes(CodesOfMeans(sum.r, count, reciprocal),
+                   CodesOfMeans(sum.g, count, reciprocal),
+                   CodesOfMeans(sum.b, count, reciprocal));
 }
 
 // A cell is three 32-bit words: the glyph; foreground and the background's
@@ -153,14 +130,11 @@ HWY_INLINE CodeLanes CodesOfMeans(const ColorLanes& sum, Floats count) {
 static_assert(sizeof(Cell) == 12 && std::endian::native == std::endian::little);
 static_assert(offsetof(Cell, fg) == 4 && offsetof(Cell, bg) == 7);
 
-/// Writes one cell a lane.
-HWY_INLINE void StoreCells(Ints glyph, const CodeLanes& fg, const CodeLanes& bg,
-                           Cell* cells) {
+/// Writes one cell a lane, of packed codes.
+HWY_INLINE void StoreCells(Ints glyph, Ints fg, Ints bg, Cell* cells) {
   const hn::RebindToUnsigned<IntLanes> du;
-  const Ints colors =
-      hn::Or(hn::Or(fg.r, hn::ShiftLeft<8>(fg.g)),
-             hn::Or(hn::ShiftLeft<16>(fg.b), hn::ShiftLeft<24>(bg.r)));
-  const Ints rest = hn::Or(bg.g, hn::ShiftLeft<8>(bg.b));
+  const Ints colors = hn::Or(fg, hn::ShiftLeft<24>(bg));
+  const Ints rest = hn::ShiftRight<8>(bg);
   HWY_ALIGN std::uint32_t words[3 * kMaxLanes];
   hn::StoreInterleaved3(hn::BitCast(du, glyph), hn::BitCast(du, colors),
                         hn::BitCast(du, rest), du, words);

@@ -25,6 +25,9 @@ void EncodeBrightnessSplits(std::span<const Rgb> samples,
                             std::span<const char32_t> glyphs,
                             std::span<Cell> cells);
 
+/// TivCell (tiv_cell.h) of 32 8-bit pixels a cell.
+void EncodeTivCells(std::span<const Rgb8> pixels, std::span<Cell> cells);
+
 /// The instruction set in use, such as AVX3_DL.
 const char* SimdTargetName();
 

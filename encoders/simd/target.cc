@@ -6,9 +6,11 @@
 
 namespace rtb {
 
-// Of the supported targets the one with the lowest bit is the best.
+// Of the targets that the processor supports and this program holds, the one
+// with the lowest bit is the best.
 const char* SimdTargetName() {
-  const auto targets = static_cast<std::uint64_t>(hwy::SupportedTargets());
+  const auto targets =
+      static_cast<std::uint64_t>(hwy::SupportedTargets() & HWY_TARGETS);
   return hwy::TargetName(
       static_cast<std::int64_t>(std::uint64_t{1} << std::countr_zero(targets)));
 }

@@ -51,12 +51,12 @@ std::string PlainText(const CellGrid& grid) {
   return text;
 }
 
-std::string Preview(const BenchResult& result) {
+std::string Preview(const BenchResult& result, ColorDepth depth) {
   std::string text;
   for (const BenchPicture& picture : result.pictures) {
-    text +=
-        Printable(picture.encoder) + "\n" +
-        (ColorsUnwanted() ? PlainText(picture.grid) : EmitAnsi(picture.grid));
+    text += Printable(picture.encoder) + "\n" +
+            (ColorsUnwanted() ? PlainText(picture.grid)
+                              : EmitAnsi(picture.grid, depth));
   }
   return text;
 }
@@ -87,7 +87,7 @@ Status MakeFolder(const std::string& folder) {
 
 /// Record, grids and pictures.
 Status WriteFolder(const std::filesystem::path& folder,
-                   const BenchResult& result) {
+                   const BenchResult& result, ColorDepth depth) {
   RTB_RETURN_IF_ERROR(
       WriteFileAtomically(folder / "record.json", FormatRecord(result.record)));
   RTB_RETURN_IF_ERROR(WritePng(folder / "reference.png", result.reference));
@@ -96,8 +96,8 @@ Status WriteFolder(const std::filesystem::path& folder,
     const std::string name = FileName(picture.encoder, used);
     RTB_RETURN_IF_ERROR(
         WriteFileAtomically(folder / (name + ".json"), EmitJson(picture.grid)));
-    RTB_RETURN_IF_ERROR(
-        WriteFileAtomically(folder / (name + ".ansi"), EmitAnsi(picture.grid)));
+    RTB_RETURN_IF_ERROR(WriteFileAtomically(folder / (name + ".ansi"),
+                                            EmitAnsi(picture.grid, depth)));
     RTB_RETURN_IF_ERROR(WritePng(folder / (name + ".png"), picture.decoded));
   }
   return {};
@@ -111,10 +111,11 @@ RunConditions Conditions(const BenchOptions& options) {
 
 Status Print(const BenchOptions& options, const BenchResult& result) {
   const bool json_alone = options.json == "-";
-  if (options.preview && json_alone) WriteToStderr(Preview(result));
+  if (options.preview && json_alone)
+    WriteToStderr(Preview(result, options.request.depth));
   if (json_alone) return WriteOutput("-", FormatRecord(result.record));
   std::string text = FormatRunTable(result.record.runs);
-  if (options.preview) text += Preview(result);
+  if (options.preview) text += Preview(result, options.request.depth);
   return WriteOutput("-", text);
 }
 
@@ -129,7 +130,8 @@ Status RunBench(const BenchOptions& options) {
     for (const std::string& note : result.notes) PrintNote(note);
   }
   if (!options.out.empty()) {
-    RTB_RETURN_IF_ERROR(WriteFolder(options.out, result));
+    RTB_RETURN_IF_ERROR(
+        WriteFolder(options.out, result, options.request.depth));
   }
   if (!options.json.empty() && options.json != "-") {
     RTB_RETURN_IF_ERROR(
@@ -145,6 +147,7 @@ void AddOptions(CLI::App& app, BenchOptions& options) {
            "name[:key=value...]; see `list encoders`"},
           options.request.encoders);
   AddGrid(app, options.request.grid, "120x40");
+  AddColorDepth(app, options.request.depth);
   AddDecodeOptions(app, options.request.decode);
   AddText(app,
           {"--reference", "povray|cycles|self|FILE", "the first that there is",

@@ -1,8 +1,10 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/file.h"
 #include "core/image/io.h"
 #include "encoders/emit/emit.h"
+#include "encoders/parse/parse.h"
 #include "encoders/registry.h"
 #include "harness/cell_shape.h"
 #include "harness/commands/command.h"
@@ -18,6 +20,8 @@ struct EncodeOptions {
   std::string input;
   SceneRequest scene;
   std::string encoder;
+  std::string previous;  ///< Cells of the last frame, or empty.
+  ColorDepth depth = ColorDepth::kTruecolor;
   GridSize grid{120, 40};
   Fit fit = Fit::kContain;
   DecodeOptions decode;
@@ -41,11 +45,27 @@ Result<Image> ReadInput(const EncodeOptions& options) {
   return image;
 }
 
+/// The last frame; of no cells when none is given.
+Result<CellGrid> ReadPrevious(const EncodeOptions& options) {
+  if (options.previous.empty()) return CellGrid();
+  RTB_ASSIGN_OR_RETURN(const std::string text, ReadFile(options.previous));
+  RTB_ASSIGN_OR_RETURN(CellGrid cells, ParseCellsJson(text, options.previous));
+  if (cells.size == options.grid) return cells;
+  return Fail(BadInput(options.previous,
+                       "has " + std::to_string(cells.size.columns) + " x " +
+                           std::to_string(cells.size.rows) +
+                           " cells, expected those of --grid",
+                       "name the same --grid for all frames"));
+}
+
 Result<CellGrid> EncodeFrom(FragmentSource& source, const Encoder& encoder,
                             const EncodeOptions& options) {
   EncodeContext context;
   context.seed = options.scene.options.seed;
   context.threads = options.scene.options.threads;
+  context.depth = options.depth;
+  RTB_ASSIGN_OR_RETURN(const CellGrid previous, ReadPrevious(options));
+  if (!options.previous.empty()) context.previous = &previous;
   RTB_ASSIGN_OR_RETURN(TimedEncoding run,
                        RunEncoder(encoder, source, options.grid,
                                   CellAspect(options.decode), context));
@@ -107,7 +127,7 @@ Status Encode(const EncodeOptions& options) {
     return WriteOutput(options.output, EmitSvg(grid, options.decode.cell_width,
                                                options.decode.cell_height));
   }
-  return WriteOutput(options.output, EmitAnsi(grid));
+  return WriteOutput(options.output, EmitAnsi(grid, options.depth));
 }
 
 void AddOptions(CLI::App& app, EncodeOptions& options) {
@@ -118,6 +138,11 @@ void AddOptions(CLI::App& app, EncodeOptions& options) {
           {"--encoder", "SPEC", "", "name[:key=value...]; see `list encoders`"},
           options.encoder)
       ->required();
+  AddText(app,
+          {"--previous", "CELLS.json", "",
+           "The last frame, for temporal=Z: what --format=json wrote"},
+          options.previous);
+  AddColorDepth(app, options.depth);
   AddGrid(app, options.grid, "120x40");
   AddParsed(app,
             {"--fit", "contain|stretch|cover", "contain",

@@ -16,27 +16,37 @@ namespace rtb {
 namespace {
 
 constexpr char kParameters[] = "parameters";
+/// Parameters that an encoder takes because all do.
+constexpr char kModifiers[] = "modifiers";
 
 struct ListOptions {
   std::string what;
   bool json = false;
 };
 
+Json ParameterList(std::span<const EncoderParameter> parameters) {
+  Json list = Json::array();
+  for (const EncoderParameter& parameter : parameters) {
+    list.push_back({{"name", parameter.name},
+                    {"default", parameter.default_value},
+                    {"values", parameter.values},
+                    {"description", parameter.description}});
+  }
+  return list;
+}
+
 Json Encoders() {
   Json list = Json::array();
   for (const EncoderEntry& entry : EncoderEntries()) {
-    Json parameters = Json::array();
-    for (const EncoderParameter& parameter : entry.info.parameters) {
-      parameters.push_back({{"name", parameter.name},
-                            {"default", parameter.default_value},
-                            {"values", parameter.values},
-                            {"description", parameter.description}});
-    }
     list.push_back({{"name", entry.info.name},
                     {"samples_per_cell", entry.info.samples_per_cell},
                     {"glyphs", entry.info.glyphs},
+                    {"version", entry.info.version},
+                    {"available", entry.info.why_not.empty()},
+                    {"why_not", entry.info.why_not},
                     {"description", entry.info.description},
-                    {kParameters, parameters}});
+                    {kParameters, ParameterList(entry.info.parameters)},
+                    {kModifiers, ParameterList(ModifiersOf(entry))}});
   }
   return list;
 }
@@ -88,11 +98,11 @@ std::string Word(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Entries as a table whose columns are their keys, `parameters` left out.
+/// Entries as a table whose columns are their keys, lists left out.
 std::string TableOf(const Json& entries) {
   Table table;
   for (const auto& [key, value] : entries.front().items()) {
-    if (key != kParameters) {
+    if (!value.is_array()) {
       table.columns.push_back({key, value.is_number()});
     }
   }
@@ -105,7 +115,8 @@ std::string TableOf(const Json& entries) {
   return FormatTable(table);
 }
 
-/// A table, and one of all parameters where entries have some.
+/// A table, and where entries have parameters one of these, ending with those
+/// that all entries take.
 std::string Text(const Json& list) {
   if (list.empty()) return "";
   Json all = Json::array();
@@ -115,6 +126,11 @@ std::string Text(const Json& list) {
       row.update(parameter);
       all.push_back(row);
     }
+  }
+  for (const Json& modifier : list.front().value(kModifiers, Json::array())) {
+    Json row = {{"parameter of", "any encoder"}};
+    row.update(modifier);
+    all.push_back(row);
   }
   return TableOf(list) + (all.empty() ? "" : "\n" + TableOf(all));
 }

@@ -142,6 +142,18 @@ void AddDecodeOptions(CLI::App& app, DecodeOptions& options) {
             options.font, NotEmpty);
 }
 
+void AddColorDepth(CLI::App& app, ColorDepth& depth) {
+  std::vector<std::pair<std::string, ColorDepth>> depths;
+  for (const ColorDepth one : {ColorDepth::kTruecolor, ColorDepth::k256,
+                               ColorDepth::k16, ColorDepth::kMono}) {
+    depths.emplace_back(NameOf(one), one);
+  }
+  AddParsed(app,
+            {"--color", "truecolor|256|16|mono", "truecolor",
+             "Colors of the terminal: glyph and colors are chosen for them"},
+            depth, OneOf(depths));
+}
+
 void AddJson(CLI::App& app, std::string& json) {
   AddText(app,
           {"--json", "FILE|-", "",

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "encoders/color_depth.h"
 #include "encoders/decode.h"
 #include "harness/arguments.h"
 #include "harness/prepared_scene.h"
@@ -92,6 +93,8 @@ void AddSceneOptions(CLI::App& app, SceneRequest& request);
 void AddGrid(CLI::App& app, GridSize& grid, const std::string& default_value);
 /// --cell --decode --font.
 void AddDecodeOptions(CLI::App& app, DecodeOptions& options);
+/// --color.
+void AddColorDepth(CLI::App& app, ColorDepth& depth);
 /// --json=FILE|-.
 void AddJson(CLI::App& app, std::string& json);
 /// --quiet.

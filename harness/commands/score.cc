@@ -1,14 +1,18 @@
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/file.h"
+#include "core/image/io.h"
 #include "encoders/parse/parse.h"
 #include "harness/cell_difference.h"
 #include "harness/cell_shape.h"
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
+#include "harness/error_maps.h"
 #include "harness/metrics/flip_map.h"
 #include "harness/metrics/metric.h"
 #include "harness/rasters.h"
@@ -27,6 +31,7 @@ struct ScoreOptions {
   double exposure = 0;
   DecodeOptions decode;
   int threads = 0;
+  std::string maps;  ///< Folder of pictures of the errors; empty: none.
   std::string json;
 };
 
@@ -105,6 +110,19 @@ Status ReportScores(const std::vector<MetricValue>& scores, const Image& raster,
                 options);
 }
 
+/// Pictures of where the errors are.
+Status WriteMaps(const RasterPair& pair, const ScoreOptions& options) {
+  const MetricInput input(pair.reference, pair.test, options.threads);
+  const std::filesystem::path folder(options.maps);
+  for (const auto& [name, map] :
+       {std::pair{"flip.png", FlipPicture(input)},
+        {"difference.png", DifferencePicture(input)}}) {
+    RTB_ASSIGN_OR_RETURN(const std::string png, EncodePng(map));
+    RTB_RETURN_IF_ERROR(WriteFileAtomically(folder / name, png));
+  }
+  return {};
+}
+
 Status ScoreAgainstReference(const ScoreOptions& options) {
   RTB_ASSIGN_OR_RETURN(const Image test, ReadTest(options));
   RTB_ASSIGN_OR_RETURN(const Image reference,
@@ -113,6 +131,7 @@ Status ScoreAgainstReference(const ScoreOptions& options) {
                        MatchRasters(reference, test, "--reference"));
   RTB_ASSIGN_OR_RETURN(const std::vector<MetricValue> scores,
                        Score(pair.reference, pair.test, options.threads));
+  if (!options.maps.empty()) RTB_RETURN_IF_ERROR(WriteMaps(pair, options));
   return ReportScores(scores, pair.test, options);
 }
 
@@ -134,6 +153,11 @@ Status RunScore(const ScoreOptions& options) {
                     (options.cells.empty() ? 0 : 1);
   const bool grids = !options.against.empty() && !options.cells.empty();
   if (grids && tests == 1 && options.reference.empty()) {
+    if (!options.maps.empty()) {
+      return Fail(BadInput("--maps",
+                           "needs --reference: grids have no errors "
+                           "but different cells"));
+    }
     return CompareGrids(options);
   }
   if (tests == 1 && !options.reference.empty() && options.against.empty()) {
@@ -159,6 +183,11 @@ void AddOptions(CLI::App& app, ScoreOptions& options) {
   AddExposure(app, options.exposure, "0");
   AddDecodeOptions(app, options.decode);
   AddThreads(app, options.threads);
+  AddText(app,
+          {"--maps", "DIR", "",
+           "Write flip.png (FLIP at 40 pixels per degree, in magma) and "
+           "difference.png (absolute, per channel)"},
+          options.maps);
   AddJson(app, options.json);
 }
 

@@ -40,6 +40,7 @@ struct RunResult {
   PixelSize reference_raster;  ///< The reference's own size.
   std::vector<StageTimes> times;
   std::vector<MetricValue> metrics;
+  std::string encoder_version = {};  ///< Of a library that chose; empty = ours.
 };
 
 /// A file that the work depends on.

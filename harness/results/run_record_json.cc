@@ -51,6 +51,7 @@ Json ToJson(const RunResult& run) {
   }
   return {{"scene", run.scene},
           {"encoder", run.encoder},
+          {"encoder_version", run.encoder_version},
           {"grid", Json::array({run.grid.columns, run.grid.rows})},
           {"rays_per_cell", run.rays_per_cell},
           {"raster", ToJson(run.raster)},

@@ -56,6 +56,7 @@ RunResult ToRun(const Json& json) {
   RunResult run;
   json.at("scene").get_to(run.scene);
   json.at("encoder").get_to(run.encoder);
+  run.encoder_version = json.value("encoder_version", "");
   json.at("grid").at(0).get_to(run.grid.columns);
   json.at("grid").at(1).get_to(run.grid.rows);
   json.at("rays_per_cell").get_to(run.rays_per_cell);

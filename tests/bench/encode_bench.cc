@@ -5,6 +5,7 @@
 #include "encoders/parameters.h"
 #include "encoders/registry.h"
 #include "encoders/simd/kernels.h"
+#include "encoders/tiv_cell.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/encode_timer.h"
 
@@ -59,6 +60,43 @@ void Encode(benchmark::State& state, const std::string& spec, bool twin) {
   Report(state, samples[twin], samples[1], "linear float");
 }
 
+/// The canonical grid's pixels for encoder `tiv`, of the Cornell box.
+Result<std::vector<Rgb8>> TivPixels() {
+  RTB_ASSIGN_OR_RETURN(const auto source, RecordedSource::Make());
+  RTB_ASSIGN_OR_RETURN(
+      const Fragments fragments,
+      source->Query(RegularPlan(kBenchGrid, kTivColumns, kTivRows, 0.5)));
+  std::vector<Rgb8> pixels(fragments.values.size());
+  Encode8(fragments.values, pixels);
+  return pixels;
+}
+
+void EncodeTivScalar(std::span<const Rgb8> pixels, std::span<Cell> cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = TivCell(std::span<const Rgb8, kTivPixels>(
+        pixels.subspan(i * kTivPixels, kTivPixels)));
+  }
+}
+
+/// `tiv` from 8-bit pixels, as other programs take them.
+void EncodeTiv8(benchmark::State& state) {
+  const auto pixels = TivPixels();
+  if (!pixels) return state.SkipWithError(pixels.error().what.c_str());
+  CellGrid grid(kBenchGrid);
+  Samples samples[2];
+  for ([[maybe_unused]] auto _ : state) {
+    for (const bool scalar : {false, true}) {
+      const double start = ThreadSeconds();
+      (scalar ? EncodeTivScalar : EncodeTivCells)(*pixels, grid.cells);
+      const double took = ThreadSeconds() - start;
+      benchmark::DoNotOptimize(grid.cells.data());
+      samples[scalar].Add(took);
+      if (!scalar) state.SetIterationTime(took);
+    }
+  }
+  Report(state, samples[0], samples[1], "8-bit");
+}
+
 void Register(const std::string& spec) {
   for (const bool twin : {false, true}) {
     const std::string group = twin ? "scalar/" : "encode/";
@@ -73,6 +111,9 @@ void Register(const std::string& spec) {
 }  // namespace
 
 void RegisterEncodeBenchmarks() {
+  benchmark::RegisterBenchmark("encode_8bit/tiv", EncodeTiv8)
+      ->UseManualTime()
+      ->Unit(benchmark::kMicrosecond);
   for (const EncoderEntry& entry : EncoderEntries()) {
     Register(entry.info.name);
     for (const EncoderParameter& parameter : entry.info.parameters) {
@@ -83,6 +124,8 @@ void RegisterEncodeBenchmarks() {
       }
     }
   }
+  Register("optimal:mask=8x8");
+  Register("optimal:glyphs=blocks+quadrants+eighths+sextants+octants+wedges");
 }
 
 }  // namespace rtb

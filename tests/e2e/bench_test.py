@@ -195,7 +195,7 @@ class BenchTest(ProgramTest):
         self.fail_with(2, *base, "--cell=8", says="8x16")
         self.fail_with(2, *base, "--decode=exact", says="geometric or font")
         self.fail_with(2, *base, "--grid=6x2", "--reference=cycles",
-                       says=("cycles", "--reference=self"))
+                       "--time=1", says=("cycles", "--reference=self"))
         self.fail_with(2, *base, "--grid=6x2", "--reference=gone.exr",
                        says="gone.exr")
         self.fail_with(2, *base, "--grid=6x2", "--reference=povray",
@@ -204,7 +204,7 @@ class BenchTest(ProgramTest):
         self.fail_with(2, "--scene=cornell", "--encoder=", says="--encoder")
         self.fail_with(2, "--scene=cornell", "--encoder=quadrant:splt=best",
                        says="split")
-        self.fail_with(2, *base, "--color=16", says="--color")
+        self.fail_with(2, *base, "--color=17", says=("--color", "256"))
         self.fail_with(2, *base, "--font=gone.ttf", "--decode=font",
                        "--grid=6x2", "--reference=self", "--quiet",
                        says="gone.ttf")

@@ -79,6 +79,32 @@ class CommandLineTest(ProgramTest):
             self.succeed("list", "backends", "--json"))}
         self.assertTrue(backends["embree"])
 
+    def test_every_encoder_is_described(self):
+        encoders = {e["name"]: e for e in json.loads(
+            self.succeed("list", "encoders", "--json"))}
+        for encoder in encoders.values():
+            self.assertEqual(
+                set(encoder),
+                {"name", "samples_per_cell", "glyphs", "version", "available",
+                 "why_not", "description", "parameters"})
+            self.assertEqual(encoder["available"], not encoder["why_not"])
+            for parameter in encoder["parameters"]:
+                self.assertEqual(set(parameter), {"name", "default", "values",
+                                                  "description"})
+        split = {p["name"]: p for p in encoders["quadrant"]["parameters"]}
+        self.assertEqual(split["split"]["default"], "brightness")
+        self.assertEqual(split["split"]["values"], "brightness|range|best")
+        self.assertEqual(encoders["half"]["version"], "")
+        chafa = encoders["chafa"]
+        if chafa["available"]:
+            self.assertRegex(chafa["version"], r"^\d+\.\d+")
+        else:
+            self.assertIn("libchafa", chafa["why_not"])
+            self.write("in.png", png(4, 4, gradient))
+            self.fail_with(3, "encode", "--input=in.png", "--encoder=chafa",
+                           says="libchafa")
+        self.assertIn("external", encoders)
+
     def test_installed_data_is_used(self):
         for scene in json.loads(self.succeed("list", "scenes", "--json")):
             self.assertTrue(scene["file"].startswith(str(self.prefix)),

@@ -4,7 +4,7 @@
 import json
 import unittest
 
-from pictures import gradient, png
+from pictures import gradient, png, read_png
 from program import ProgramTest
 
 METRICS = ["flip", "flip_ppd30", "flip_ppd67", "flip_p95", "mse", "psnr",
@@ -97,6 +97,42 @@ class ScoreTest(ProgramTest):
         self.assertEqual(record["difference"], {"total": 3, "cells": 2,
                                                 "glyphs": 1, "colors": 1})
 
+    def test_maps(self):
+        # One pixel in the middle is 100 codes brighter in red.
+        self.write("dark.png", png(32, 32, lambda x, y: (50, 60, 70)))
+        self.write("b.png", png(32, 32, lambda x, y: (
+            150 if (x, y) == (20, 10) else 50, 60, 70)))
+        self.succeed("score", "--reference=dark.png", "--image=b.png",
+                     "--maps=new/maps")
+        maps = self.folder / "new" / "maps"
+        width, height, pixels = read_png((maps / "difference.png").read_bytes())
+        self.assertEqual((width, height), (32, 32))
+        self.assertEqual({i: p for i, p in enumerate(pixels) if any(p)},
+                         {10 * 32 + 20: (100, 0, 0)})
+        width, height, pixels = read_png((maps / "flip.png").read_bytes())
+        self.assertEqual((width, height), (32, 32))
+        # Magma is black at 0, and the error is largest at that pixel.
+        self.assertEqual(pixels[31 * 32], (0, 0, 4))
+        self.assertEqual(max(range(32 * 32), key=lambda i: sum(pixels[i])),
+                         10 * 32 + 20)
+
+    def test_another_programs_output(self):
+        # A red and a blue line, one of them reversed, as pictures and as text.
+        self.write("out.ansi", "\x1b[38;2;255;0;0m\u2588\u2588\r\n"
+                               "\x1b[48;2;0;0;255m\x1b[K\x1b[0m\n")
+        self.write("reference.png", png(
+            16, 32, lambda x, y: (255, 0, 0) if y < 16 else (0, 0, 255)))
+        record = json.loads(self.succeed(
+            "score", "--reference=reference.png", "--ansi=out.ansi",
+            "--grid=2x2", "--json=-"))
+        self.assertEqual(record["metrics"]["mse"], 0)
+        self.assertEqual(record["raster"], [16, 32])
+
+    def test_graphics_are_no_cells(self):
+        self.fail_with(2, "score", "--reference=a.png", "--ansi=-",
+                       "--grid=4x2", stdin=b"\x1bPq#0~\x1b\\",
+                       says=("sixel", "cells"))
+
     def test_errors(self):
         self.write("wide.png", png(33, 32, gradient))
         self.write("broken.json", '{"columns": 3')
@@ -112,6 +148,24 @@ class ScoreTest(ProgramTest):
                        says="--grid")
         self.fail_with(2, "score", "--reference=a.png", "--cells=broken.json",
                        says="broken.json")
+        self.fail_with(2, "score", "--reference=a.png", "--cells=gone.json",
+                       says="gone.json")
+        self.fail_with(2, "score", "--reference=a.png", "--ansi=gone.ansi",
+                       "--grid=4x2", says="gone.ansi")
+        self.write("one.json", json.dumps(
+            {"columns": 1, "rows": 1, "cells": [["x", "#000000", "#000000"]]}))
+        self.write("two.json", json.dumps(
+            {"columns": 2, "rows": 1, "cells": 2 * [["x", "#000000",
+                                                     "#000000"]]}))
+        both = ["score", "--cells=one.json"]
+        self.fail_with(2, *both, "--against=two.json", says=("1", "2"))
+        self.fail_with(2, *both, "--against=gone.json", says="gone.json")
+        self.fail_with(2, *both, "--against=one.json", "--reference=a.png",
+                       says="expected")
+        self.fail_with(2, *both, "--against=one.json", "--maps=maps",
+                       says="--maps")
+        self.fail_with(1, "score", "--reference=a.png", "--image=a.png",
+                       "--maps=a.png/maps", says="a.png")
 
 
 if __name__ == "__main__":

@@ -39,9 +39,8 @@ void ExpectSound(const SamplePlan& plan, GridSize grid, double cell_aspect) {
   EXPECT_TRUE(plan.positions.size() == samples ||
               plan.positions.size() == plan.samples())
       << plan.positions.size();
-  EXPECT_TRUE(std::ranges::all_of(plan.cells, [&](int cell) {
-    return cell >= 0 && cell < grid.cells();
-  }));
+  EXPECT_TRUE(std::ranges::all_of(
+      plan.cells, [&](int cell) { return cell >= 0 && cell < grid.cells(); }));
   EXPECT_TRUE(plan.samples_before.empty() ||
               plan.samples_before.size() == plan.cells.size());
   EXPECT_TRUE(std::ranges::all_of(plan.positions, [](const V2f& position) {

@@ -28,8 +28,10 @@ constexpr char kScene[] =
 /// 0.25 is code 137: 255 (1.055 * 0.25^(1/2.4) - 0.055) = 136.96.
 class ChooseReferenceTest : public ::testing::Test {
  protected:
-  PreparedScene Prepare(double time = 0, const std::string& more = "") {
+  PreparedScene Prepare(double time = 0, const std::string& more = "",
+                        const std::string& integrator = "whitted") {
     SceneRequest request;
+    request.options.integrator = integrator;
     request.scene = folder_.Write("scenes/gray.yaml", kScene + more).string();
     request.options.time = time;
     return std::move(PrepareScene(request).value());
@@ -39,14 +41,15 @@ class ChooseReferenceTest : public ::testing::Test {
   /// test says so.
   std::filesystem::path AddReference(
       const PreparedScene& scene, int width = 48,
-      const nlohmann::json& changed = nlohmann::json::object()) {
+      const nlohmann::json& changed = nlohmann::json::object(),
+      const std::string& renderer = "povray") {
     Image image(width, 32);
     for (Rgb& pixel : image.pixels()) pixel = Rgb(1);
-    const auto file = ReferenceFile(scene.file, "povray", scene.options.time);
+    const auto file = ReferenceFile(scene.file, renderer, scene.options.time);
     RTB_CHECK(WriteExr(file, image, ExrType::kFloat).has_value());
     nlohmann::json provenance = {
         {"schema", 1},
-        {"renderer", "povray"},
+        {"renderer", renderer},
         {"scene", {{"sha256", scene.scene->sha256}}},
         {"settings", {{"time", scene.options.time}}},
         {"image", {{"sha256", Sha256File(file).value()}}}};
@@ -80,6 +83,17 @@ TEST_F(ChooseReferenceTest, RendersItselfWhereThereIsNone) {
   EXPECT_TRUE(picture.file.empty());
   EXPECT_EQ(picture.display.width(), 48);
   EXPECT_EQ(picture.display.at(47, 31), Rgb(137.0f / 255.0f));
+}
+
+// POV-Ray's images have no light between surfaces: they say nothing of paths.
+TEST_F(ChooseReferenceTest, ComparesPathsWithPathsAlone) {
+  const PreparedScene scene = Prepare(0, "", "path");
+  AddReference(scene);
+  EXPECT_EQ(ChooseReference("", scene, raster_).value().name, "self");
+  EXPECT_EQ(ChooseReference("povray", scene, raster_).value().name, "povray");
+  AddReference(scene, 48, nlohmann::json::object(), "cycles");
+  EXPECT_EQ(ChooseReference("", scene, raster_).value().name, "cycles");
+  EXPECT_EQ(ChooseReference("", Prepare(), raster_).value().name, "povray");
 }
 
 TEST_F(ChooseReferenceTest, PrefersTheCommittedOne) {

@@ -142,5 +142,15 @@ TEST(FindProgram, RefusesFoldersAndPlainFiles) {
   EXPECT_TRUE(FindProgram((folder / "f").string()));
 }
 
+TEST(RunProcess, ReplacesVariablesOfTheEnvironment) {
+  ASSERT_EQ(::setenv("RTB_KEPT", "ours", 1), 0);
+  ASSERT_EQ(::setenv("RTB_REPLACED", "ours", 1), 0);
+  ProcessOptions options = Shell("echo $RTB_KEPT $RTB_REPLACED $RTB_NEW");
+  options.environment = {"RTB_REPLACED=theirs", "RTB_NEW=a=b"};
+  const auto result = RunProcess(options);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->out, "ours theirs a=b\n");
+}
+
 }  // namespace
 }  // namespace rtb

@@ -78,11 +78,6 @@ std::size_t TivSize(const CellGrid& grid, ColorDepth depth) {
 /// An encoder of the registry, and a depth.
 using Way = std::tuple<std::string, ColorDepth>;
 
-std::string NameOf(ColorDepth depth) {
-  const char* const names[] = {"truecolor", "256", "16", "mono"};
-  return names[static_cast<std::size_t>(depth)];
-}
-
 class EveryEncoderAnsi : public testing::TestWithParam<Way> {};
 
 TEST_P(EveryEncoderAnsi, ComesBackTheSameAndIsSmall) {

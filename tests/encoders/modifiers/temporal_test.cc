@@ -161,7 +161,7 @@ TEST_P(EveryStableEncoder, FollowsAPan) {
 INSTANTIATE_TEST_SUITE_P(
     , EveryStableEncoder,
     testing::Values("half", "quadrant", "quadrant:split=best", "search", "tiv",
-                    "sextant", "octant"),
+                    "sextant", "octant", "optimal:mask=4x8"),
     [](const auto& test) {
       std::string name = test.param;
       std::ranges::replace_if(

@@ -202,9 +202,9 @@ TEST(ParseAnsiTest, SurvivesLongAndLargeParameters) {
   for (const char final : std::string("@ABCDEFGHJKLMPSTXbdhlrsu")) {
     for (const std::string& number :
          {zeros, std::string("2147483647"), std::string("99999999999999")}) {
-      const auto grid = ParseAnsi("\x1b[" + number + final, {3, 2});
-      EXPECT_TRUE(grid ||
-                  grid.error().what.find("scrolled") != std::string::npos)
+      const auto parsed = ParseAnsi("\x1b[" + number + final, {3, 2});
+      EXPECT_TRUE(parsed ||
+                  parsed.error().what.find("scrolled") != std::string::npos)
           << final;
     }
   }

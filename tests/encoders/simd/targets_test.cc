@@ -23,9 +23,15 @@ void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.spec; }
 
 using Values = std::vector<Rgb>;
 
-/// `value(random bits, cell, sample)` for each component.
-template <class Value>
-Values Made(int cells, int samples, std::uint64_t seed, const Value& value) {
+/// Where a component of a sample stands.
+struct Place {
+  int cell, sample, channel;
+};
+
+using Value = float (*)(std::uint32_t bits, const Place& place);
+
+/// `value(random bits, place)` for each component.
+Values Made(int cells, int samples, std::uint64_t seed, Value value) {
   Values values;
   for (int cell = 0; cell < cells; ++cell) {
     for (int sample = 0; sample < samples; ++sample) {
@@ -35,7 +41,7 @@ Values Made(int cells, int samples, std::uint64_t seed, const Value& value) {
             RandomBits(static_cast<std::uint32_t>(cell),
                        static_cast<std::uint32_t>(sample),
                        static_cast<std::uint32_t>(channel), seed);
-        color[channel] = value(bits, cell, sample);
+        color[channel] = value(bits, {cell, sample, channel});
       }
       values.push_back(color);
     }
@@ -47,12 +53,12 @@ float OfCode(std::uint32_t code) {
   return SrgbDecode8(static_cast<std::uint8_t>(code));
 }
 
-float AnyFloat(std::uint32_t bits, int, int) {
+float AnyFloat(std::uint32_t bits, const Place&) {
   return std::bit_cast<float>(bits);
 }
 
 /// What cannot be shown, between what can.
-float Wild(std::uint32_t bits, int, int) {
+float Wild(std::uint32_t bits, const Place&) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kValues[] = {kNan, kInfinity, -kInfinity, -1,    1e30f,
@@ -60,41 +66,50 @@ float Wild(std::uint32_t bits, int, int) {
   return kValues[bits % std::size(kValues)];
 }
 
-float AnyCode(std::uint32_t bits, int, int) { return OfCode(bits % 256); }
+float AnyCode(std::uint32_t bits, const Place&) { return OfCode(bits % 256); }
 
 /// A few neighboring codes, which have many equal partitions.
-float FewCodes(std::uint32_t bits, int cell, int) {
-  const auto base = static_cast<std::uint32_t>(cell % 250);
+float FewCodes(std::uint32_t bits, const Place& place) {
+  const auto base = static_cast<std::uint32_t>(place.cell % 250);
   return OfCode(base + bits % (2 + base % 4));
 }
 
 /// Two to five equal steps apart.
-float EvenSteps(std::uint32_t bits, int cell, int) {
-  const auto step = static_cast<std::uint32_t>(1 + cell % 50);
+float EvenSteps(std::uint32_t bits, const Place& place) {
+  const auto step = static_cast<std::uint32_t>(1 + place.cell % 50);
   return OfCode(step * (bits % (2 + step % 4)));
 }
 
 /// One code, and noise far below it.
-float Noise(std::uint32_t bits, int cell, int) {
-  const float scale = cell % 3 == 0 ? 1e-7f : cell % 3 == 1 ? 1e-6f : 1e-4f;
-  return OfCode(static_cast<std::uint32_t>(cell % 256)) *
+float Noise(std::uint32_t bits, const Place& place) {
+  const float scale = place.cell % 3 == 0   ? 1e-7f
+                      : place.cell % 3 == 1 ? 1e-6f
+                                            : 1e-4f;
+  return OfCode(static_cast<std::uint32_t>(place.cell % 256)) *
          (1 + scale * UnitFloat(bits));
 }
 
-/// A gradient down the cell.
-float Gradient(std::uint32_t, int cell, int sample) {
-  return 0.3f + 0.0001f * static_cast<float>(cell * sample);
+/// A color, and differences of a few steps (steps.h) from it, about kNoise.
+float FewSteps(std::uint32_t bits, const Place& place) {
+  const int code = 50 + (place.cell * 37 + place.channel * 71) % 200;
+  return OfCode(static_cast<std::uint32_t>(code)) *
+         (1 + 4e-6f * UnitFloat(bits));
 }
 
-float Flat(std::uint32_t, int cell, int) {
-  return 0.001f * static_cast<float>(cell);
+/// A gradient down the cell.
+float Gradient(std::uint32_t, const Place& place) {
+  return 0.3f + 0.0001f * static_cast<float>(place.cell * place.sample);
+}
+
+float Flat(std::uint32_t, const Place& place) {
+  return 0.001f * static_cast<float>(place.cell);
 }
 
 /// Each kind of samples there is, after one another.
 Values Zoo(int cells, int samples) {
   Values all;
-  for (const auto value :
-       {AnyFloat, Wild, AnyCode, FewCodes, EvenSteps, Noise, Gradient, Flat}) {
+  for (const Value value : {AnyFloat, Wild, AnyCode, FewCodes, EvenSteps, Noise,
+                            FewSteps, Gradient, Flat}) {
     const Values some = Made(cells, samples, all.size(), value);
     all.insert(all.end(), some.begin(), some.end());
   }
@@ -158,13 +173,19 @@ TEST_P(SimdTargetsTest, TakeAnyNumberOfCells) {
 std::vector<Kind> Kinds() {
   return {{"half", 2},    {"quadrant", 4}, {"quadrant:split=best", 4},
           {"sextant", 6}, {"octant", 8},   {"braille", 8},
-          {"tiv", 32}};
+          {"tiv", 32},
+          {"optimal:mask=8x8", 64},
+          {"optimal:glyphs=blocks+quadrants+octants:mask=2x4", 8},
+          {"optimal:glyphs=sextants+octants+wedges+eighths", 128},
+          {"optimal:glyphs=shades+ascii:mask=4x8", 32},
+          {"optimal:glyphs=braille+box+eighths:mask=5x7", 35},
+          {"optimal:blend=linear:mask=2x2", 4}};
 }
 
 std::string NameOf(const Kind& kind) {
   std::string name = kind.spec;
   for (char& c : name) {
-    if (c == ':' || c == '=') c = '_';
+    if (c == ':' || c == '=' || c == '+') c = '_';
   }
   return name;
 }

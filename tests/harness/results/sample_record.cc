@@ -29,7 +29,8 @@ RunRecord SampleRecord() {
        {960, 640},
        {960, 640},
        {},
-       {{"flip", 0.0}, {"psnr", std::nullopt}, {"ms_ssim", std::nullopt}}}};
+       {{"flip", 0.0}, {"psnr", std::nullopt}, {"ms_ssim", std::nullopt}},
+       "1.12.4"}};
   record.conditions.utc = "2026-01-31T12:34:56Z";
   record.conditions.command = {"rtbench", "--scene=cornell"};
   record.conditions.host = {"A CPU", 2, "An OS", "Linux 6.1", "host", 0.25};
