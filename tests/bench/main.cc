@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   rtb::RegisterEncodeBenchmarks();
+  rtb::RegisterAdaptiveBenchmarks();
   rtb::RegisterRenderBenchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

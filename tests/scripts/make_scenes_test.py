@@ -72,6 +72,10 @@ class MakeScenesTest(ScriptTest):
         self.assertEqual(len(scene), 1)
         self.assertEqual(made - scene, self.committed("explore"))
 
+    def test_stress(self):
+        self.assertEqual(self.make("make_stress.py", "stress"),
+                         self.committed("stress"))
+
 
 @unittest.skipIf(yaml is None, "PyYAML is missing")
 class ExploreTest(unittest.TestCase):

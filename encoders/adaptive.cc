@@ -1,0 +1,167 @@
+// Encoder `adaptive`: a few rays everywhere, then more where they change the
+// picture; the glyphs and colors of least squared error on the raster that is
+// rebuilt from them. This project's own; docs/adaptive.md explains it.
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/numbers.h"
+#include "core/base/parallel.h"
+#include "encoders/adaptive/rebuild.h"
+#include "encoders/adaptive/tracer.h"
+#include "encoders/fit/atlas_parameters.h"
+#include "encoders/fit/fit.h"
+#include "encoders/modifiers/median.h"
+#include "encoders/modifiers/modifiers.h"
+#include "encoders/registry.h"
+
+namespace rtb {
+namespace {
+
+constexpr int kGrain = 16;
+
+const EncoderParameter& RaysParameter() {
+  static const EncoderParameter parameter{
+      "rays", "8", "number in 1..64",
+      "rays at most, mean over all cells of the grid"};
+  return parameter;
+}
+
+const EncoderParameter& ColorParameter() {
+  static const EncoderParameter parameter{
+      "color", "mean", "mean|median",
+      "the two colors: of least squared error, or the geometric median of each "
+      "side, with more rays for faint contrasts"};
+  return parameter;
+}
+
+const EncoderParameter& SeedParameter() {
+  static const EncoderParameter parameter{"seed", "the run's", "integer >= 0",
+                                          "of the rays' random offsets"};
+  return parameter;
+}
+
+struct Settings {
+  double rays = 8;
+  ColorRule color = ColorRule::kMean;
+  Blend blend = Blend::kSrgb;
+  std::optional<std::uint64_t> seed;
+};
+
+class Adaptive : public Encoder {
+ public:
+  Adaptive(Atlas atlas, const Settings& settings)
+      : atlas_(std::move(atlas)), settings_(settings) {}
+
+  std::vector<char32_t> Candidates() const override {
+    std::vector<char32_t> glyphs;
+    for (const FitMask& mask : atlas_.candidates()) {
+      glyphs.push_back(mask.glyph);
+    }
+    return glyphs;
+  }
+
+  Result<Encoding> Run(FragmentSource& source, GridSize grid,
+                       double cell_aspect,
+                       const EncodeContext& context) const override {
+    RTB_ASSIGN_OR_RETURN(
+        const SeenSamples samples,
+        TraceAdaptively(
+            source, {grid, cell_aspect, settings_.rays,
+                     settings_.color == ColorRule::kMean ? Priority::kSquare
+                                                         : Priority::kRoot,
+                     settings_.seed.value_or(context.seed), context.threads}));
+    const RebuiltRaster raster = Rebuild(
+        samples, atlas_.width(), atlas_.height(), cell_aspect, context.threads);
+    Encoding encoding{CellGrid(grid), 0, {}};
+    encoding.rays_per_cell =
+        static_cast<double>(samples.all().size()) / grid.cells();
+    ParallelFor(grid.cells(), kGrain, context.threads, [&](int begin, int end) {
+      for (int cell = begin; cell < end; ++cell) {
+        encoding.grid.cells[static_cast<std::size_t>(cell)] =
+            ChooseCell(raster.cell(cell));
+      }
+    });
+    encoding.evidence =
+        EvidenceOf(raster, grid, cell_aspect, encoding.rays_per_cell);
+    return encoding;
+  }
+
+ private:
+  Cell ChooseCell(std::span<const Rgb> encoded) const {
+    std::vector<V3d> samples(encoded.size());
+    if (settings_.blend == Blend::kSrgb) {
+      std::ranges::transform(encoded, samples.begin(),
+                             [](const Rgb& color) { return V3d(color); });
+    } else {
+      ToBlend(settings_.blend, Decoded(encoded), samples);
+    }
+    const CellFit fit = FitCell(atlas_, settings_.blend, samples);
+    if (settings_.color == ColorRule::kMean) return fit.cell;
+    const auto candidate = static_cast<std::size_t>(fit.candidate);
+    return WithMedianColors(fit.cell, atlas_.candidates()[candidate],
+                            settings_.blend, samples);
+  }
+
+  static std::vector<Rgb> Decoded(std::span<const Rgb> encoded) {
+    std::vector<Rgb> linear(encoded.size());
+    std::ranges::transform(encoded, linear.begin(), [](const Rgb& color) {
+      return Rgb(SrgbDecode(color.x), SrgbDecode(color.y), SrgbDecode(color.z));
+    });
+    return linear;
+  }
+
+  /// The raster in 8 bits, as if every sub-pixel had been sampled.
+  Evidence EvidenceOf(const RebuiltRaster& raster, GridSize grid,
+                      double cell_aspect, double rays_per_cell) const {
+    SampleRound round;
+    round.plan = RegularPlan(grid, raster.width, raster.height, cell_aspect);
+    round.fragments = Fragments(round.plan);
+    std::ranges::transform(
+        raster.encoded, round.fragments.values.begin(),
+        [](const Rgb& color) { return Decode8(QuantizeEncoded(color)); });
+    Evidence evidence;
+    evidence.weight =
+        std::min(1.0, rays_per_cell / round.plan.samples_per_cell);
+    evidence.rounds.push_back(std::move(round));
+    return evidence;
+  }
+
+  Atlas atlas_;
+  Settings settings_;
+};
+
+Result<std::unique_ptr<Encoder>> Make(const EncoderParameters& given) {
+  Settings settings;
+  RTB_ASSIGN_OR_RETURN(settings.rays,
+                       ParseNumber(RaysParameter().name,
+                                   ValueOf(RaysParameter(), given), 1, 64));
+  RTB_ASSIGN_OR_RETURN(const int color, ReadChoice(ColorParameter(), given));
+  settings.color = static_cast<ColorRule>(color);
+  RTB_ASSIGN_OR_RETURN(settings.blend, ReadBlend(given));
+  if (const auto seed = given.find(SeedParameter().name); seed != given.end()) {
+    RTB_ASSIGN_OR_RETURN(settings.seed, ParseSeed(seed->first, seed->second));
+  }
+  RTB_ASSIGN_OR_RETURN(Atlas atlas, ReadAtlas(given));
+  return std::make_unique<Adaptive>(std::move(atlas), settings);
+}
+
+}  // namespace
+
+EncoderEntry adaptive_entry() {
+  std::vector<EncoderParameter> parameters = {RaysParameter()};
+  std::ranges::copy(AtlasParameters(), std::back_inserter(parameters));
+  parameters.push_back(ColorParameter());
+  parameters.push_back(BlendParameter());
+  parameters.push_back(SeedParameter());
+  return {{"adaptive",
+           "rays where they pay, then the glyph and colors of least squared "
+           "error on what they show",
+           8, "space, U+2588 and what `glyphs` names", std::move(parameters)},
+          Make};
+}
+
+}  // namespace rtb

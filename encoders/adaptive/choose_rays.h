@@ -1,0 +1,37 @@
+/// @file
+/// Where the next rays are worth most. VoronoiMap -> ChooseRays -> SamplePlan.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "encoders/adaptive/voronoi_map.h"
+
+namespace rtb {
+
+/// Samples that one cell gets at most.
+inline constexpr int kMostPerCell = 64;
+
+/// What the choice of rays depends on.
+struct RayRequest {
+  int rays = 0;           ///< At most.
+  int most_per_cell = 4;  ///< Of these.
+  std::uint64_t seed = 0;
+  int threads = 0;
+};
+
+/// A ray that is to be traced.
+struct RayChoice {
+  int cell = 0;
+  V2f position{0, 0};  ///< Inside the cell, in [0, 1).
+  float gain = 0;      ///< By which rays are compared.
+  float reach = 0;     ///< How far away slots may be nearest to it.
+};
+
+/// The rays of the largest expected gains, by rising cells. Fewer than asked
+/// for only where cells have all that they may get.
+std::vector<RayChoice> ChooseRays(const VoronoiMap& map,
+                                  const SeenSamples& samples,
+                                  const RayRequest& request);
+
+}  // namespace rtb

@@ -1,0 +1,34 @@
+#include "encoders/adaptive/samples.h"
+
+#include <algorithm>
+
+#include "core/color/srgb.h"
+
+namespace rtb {
+namespace {
+
+/// In this order of arguments NaN becomes 0.
+float Clip(float value) { return std::min(std::max(0.0f, value), 1.0f); }
+
+Rgb Clip(const Rgb& color) {
+  return {Clip(color.x), Clip(color.y), Clip(color.z)};
+}
+
+}  // namespace
+
+void SeenSamples::Add(const SamplePlan& plan, const Fragments& fragments) {
+  std::vector<Rgb> encoded(fragments.values.size());
+  SrgbEncode(fragments.values, encoded);
+  samples_.reserve(samples_.size() + encoded.size());
+  std::size_t value = 0;
+  for (int entry = 0; entry < plan.entries(); ++entry) {
+    const int cell = plan.cell(entry);
+    counts_[static_cast<std::size_t>(cell)] += plan.samples_per_cell;
+    for (int i = 0; i < plan.samples_per_cell; ++i, ++value) {
+      samples_.push_back({cell, plan.position(entry, i),
+                          Clip(fragments.values[value]), encoded[value]});
+    }
+  }
+}
+
+}  // namespace rtb

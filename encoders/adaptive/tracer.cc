@@ -1,0 +1,106 @@
+#include "encoders/adaptive/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "encoders/adaptive/choose_rays.h"
+
+namespace rtb {
+namespace {
+
+/// Rounds that share what is left after the first rays. More of them gain
+/// little and cost time.
+constexpr int kRounds = 8;
+
+/// The places of the first rays. Two lie as on a lattice of triangles.
+std::vector<V2f> FirstPositions(double rays) {
+  if (rays < 2) return {V2f(0.5f, 0.5f)};
+  return {V2f(0.25f, 0.25f), V2f(0.75f, 0.75f)};
+}
+
+class Tracer {
+ public:
+  Tracer(FragmentSource& source, const TraceRequest& request)
+      : source_(source),
+        request_(request),
+        samples_(request.grid),
+        map_(request.grid, request.cell_aspect, request.priority) {
+    plan_.grid = request.grid;
+    plan_.cell_aspect = request.cell_aspect;
+    // A sub-pixel of the canonical raster.
+    plan_.footprint = V2f(1.0f / 8, 1.0f / 16);
+  }
+
+  /// The same places in every cell.
+  Status TraceEverywhere() {
+    SamplePlan plan = plan_;
+    plan.positions = FirstPositions(request_.rays);
+    plan.samples_per_cell = static_cast<int>(plan.positions.size());
+    const float reach = std::hypot(map_.cell_width(), kCellHeight) / 2;
+    return Trace(plan, std::vector(plan.samples(), reach));
+  }
+
+  Status TraceRounds() {
+    const double rest = request_.rays * request_.grid.cells() -
+                        static_cast<double>(samples_.all().size());
+    RayRequest rays;
+    rays.seed = request_.seed;
+    rays.threads = request_.threads;
+    // Twice the mean, and enough for edges in a picture that is flat elsewhere.
+    rays.most_per_cell +=
+        static_cast<int>(2 * rest / kRounds / request_.grid.cells());
+    int spent = 0;
+    for (int round = 1; round <= kRounds; ++round) {
+      rays.rays = static_cast<int>(rest * round / kRounds) - spent;
+      spent += rays.rays;
+      RTB_RETURN_IF_ERROR(TraceBest(rays));
+    }
+    return {};
+  }
+
+  SeenSamples&& TakeSamples() { return std::move(samples_); }
+
+ private:
+  Status TraceBest(const RayRequest& request) {
+    const std::vector<RayChoice> rays = ChooseRays(map_, samples_, request);
+    if (rays.empty()) return {};
+    SamplePlan plan = plan_;
+    plan.samples_per_cell = 1;
+    std::vector<float> reaches;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool again = i > 0 && rays[i - 1].cell == rays[i].cell;
+      plan.samples_before.push_back(again ? plan.samples_before.back() + 1
+                                          : samples_.count(rays[i].cell));
+      plan.cells.push_back(rays[i].cell);
+      plan.positions.push_back(rays[i].position);
+      reaches.push_back(rays[i].reach);
+    }
+    return Trace(plan, reaches);
+  }
+
+  Status Trace(const SamplePlan& plan, std::span<const float> reaches) {
+    RTB_ASSIGN_OR_RETURN(const Fragments fragments, source_.Query(plan));
+    samples_.Add(plan, fragments);
+    map_.Insert(samples_.all().last(reaches.size()), reaches, request_.threads);
+    return {};
+  }
+
+  FragmentSource& source_;
+  const TraceRequest& request_;
+  SamplePlan plan_;
+  SeenSamples samples_;
+  VoronoiMap map_;
+};
+
+}  // namespace
+
+Result<SeenSamples> TraceAdaptively(FragmentSource& source,
+                                    const TraceRequest& request) {
+  Tracer tracer(source, request);
+  RTB_RETURN_IF_ERROR(tracer.TraceEverywhere());
+  RTB_RETURN_IF_ERROR(tracer.TraceRounds());
+  return tracer.TakeSamples();
+}
+
+}  // namespace rtb

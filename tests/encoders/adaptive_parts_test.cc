@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/random.h"
+#include "encoders/adaptive/choose_rays.h"
+#include "encoders/adaptive/rebuild.h"
+
+namespace rtb {
+namespace {
+
+constexpr GridSize kGrid{4, 3};
+constexpr double kCellAspect = 0.5;
+
+float Random(int i, int dimension) {
+  return UnitFloat(RandomBits(static_cast<std::uint32_t>(i), 0,
+                              static_cast<std::uint32_t>(dimension), 17));
+}
+
+/// `each` samples in every cell, at random places, in random grays.
+SeenSamples RandomSamples(int each) {
+  SamplePlan plan;
+  plan.grid = kGrid;
+  plan.samples_per_cell = each;
+  const int count = kGrid.cells() * each;
+  Fragments fragments;
+  for (int i = 0; i < count; ++i) {
+    plan.positions.emplace_back(Random(i, 0), Random(i, 1));
+    fragments.values.emplace_back(Random(i, 2));
+  }
+  SeenSamples samples(kGrid);
+  samples.Add(plan, fragments);
+  return samples;
+}
+
+/// In sixteenths of a cell's height, from the grid's top left.
+V2f PlaceOf(int cell, const V2f& position) {
+  const V2f corner(static_cast<float>(cell % kGrid.columns),
+                   static_cast<float>(cell / kGrid.columns));
+  return (corner + position) * V2f(8, 16);
+}
+
+VoronoiMap MapOf(const SeenSamples& samples) {
+  VoronoiMap map(kGrid, kCellAspect, Priority::kSquare);
+  const std::vector<float> reaches(samples.all().size(), kCellHeight);
+  map.Insert(samples.all(), reaches, 1);
+  return map;
+}
+
+TEST(AdaptiveVoronoiMap, KnowsTheDistanceToTheNearestSample) {
+  const SeenSamples samples = RandomSamples(3);
+  const VoronoiMap map = MapOf(samples);
+  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+    const CellSlots slots = map.Slots(cell);
+    for (int slot = 0; slot < kSlots; ++slot) {
+      float nearest = 1e9f;
+      for (const SeenSample& sample : samples.all()) {
+        nearest = std::min(nearest, (PlaceOf(sample.cell, sample.position) -
+                                     PlaceOf(cell, SlotCenter(slot)))
+                                        .length2());
+      }
+      EXPECT_NEAR(slots.distance2[static_cast<std::size_t>(slot)], nearest,
+                  1e-3f * nearest + 1e-3f);
+    }
+  }
+}
+
+// n samples in a slot leave 1 / (n + 1) of its extent.
+TEST(AdaptiveVoronoiMap, CountsTheSamplesOfASlot) {
+  const SeenSamples samples = RandomSamples(40);
+  const VoronoiMap map = MapOf(samples);
+  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+    std::array<int, kSlots> counts{};
+    for (const SeenSample& sample : samples.all()) {
+      if (sample.cell != cell) continue;
+      const int x = static_cast<int>(sample.position.x * kSlotColumns);
+      const int y = static_cast<int>(sample.position.y * kSlotRows);
+      ++counts[static_cast<std::size_t>(y * kSlotColumns + x)];
+    }
+    const CellSlots slots = map.Slots(cell);
+    for (std::size_t i = 0; i < kSlots; ++i) {
+      EXPECT_NEAR(slots.extent[i],
+                  kEmptySlot / (static_cast<float>(counts[i]) + 1), 1e-4f);
+    }
+  }
+}
+
+TEST(AdaptiveVoronoiMap, KnowsTheBestGainOfEachCell) {
+  const VoronoiMap map = MapOf(RandomSamples(3));
+  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+    const CellSlots slots = map.Slots(cell);
+    float best = 0;
+    for (std::size_t i = 0; i < kSlots; ++i) {
+      best = std::max(
+          best, Gain(slots.contrast[i], slots.distance2[i], slots.extent[i]));
+    }
+    EXPECT_EQ(map.best_gains()[static_cast<std::size_t>(cell)], best) << cell;
+  }
+}
+
+// What many rays a cell would gain, chosen one at a time in every cell, holds
+// the wanted ones: no shorter way may choose others.
+TEST(AdaptiveChooseRays, ChoosesTheLargestGains) {
+  const SeenSamples samples = RandomSamples(2);
+  const VoronoiMap map = MapOf(samples);
+  RayRequest request;
+  request.most_per_cell = 12;
+  request.rays = kGrid.cells() * request.most_per_cell;
+  std::vector<float> all;
+  for (const RayChoice& ray : ChooseRays(map, samples, request)) {
+    all.push_back(ray.gain);
+  }
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(request.rays));
+  std::ranges::sort(all, std::greater<>());
+  for (const int rays : {1, 5, 12, 13, 40, 100}) {
+    request.rays = rays;
+    std::vector<float> gains;
+    for (const RayChoice& ray : ChooseRays(map, samples, request)) {
+      gains.push_back(ray.gain);
+    }
+    std::ranges::sort(gains, std::greater<>());
+    EXPECT_TRUE(std::ranges::equal(
+        gains, std::span(all).first(static_cast<std::size_t>(rays))))
+        << rays;
+  }
+}
+
+TEST(AdaptiveChooseRays, SortsByCell) {
+  const SeenSamples samples = RandomSamples(2);
+  RayRequest request;
+  request.rays = 30;
+  const auto rays = ChooseRays(MapOf(samples), samples, request);
+  EXPECT_EQ(rays.size(), 30u);
+  EXPECT_TRUE(std::ranges::is_sorted(rays, {}, &RayChoice::cell));
+}
+
+// Where a sample lies in the middle of a sub-pixel, its weight is 1 / 0.25^2,
+// that of one n sub-pixels away 1 / (n^2 + 0.25)^2: the sub-pixel is its color
+// but for the second and third nearest, at least 2 away each, at most
+// 2 * 0.0554 / 16 = 0.7 % together.
+TEST(AdaptiveRebuild, ShowsSamplesWhereTheyAre) {
+  SamplePlan plan;
+  plan.grid = kGrid;
+  plan.samples_per_cell = 4;
+  plan.positions = {V2f(0.5f / 8, 0.5f / 16), V2f(4.5f / 8, 4.5f / 16),
+                    V2f(1.5f / 8, 9.5f / 16), V2f(6.5f / 8, 13.5f / 16)};
+  Fragments fragments;
+  for (int i = 0; i < kGrid.cells() * 4; ++i) {
+    fragments.values.emplace_back(Random(i, 3), Random(i, 4), Random(i, 5));
+  }
+  SeenSamples samples(kGrid);
+  samples.Add(plan, fragments);
+  const RebuiltRaster raster = Rebuild(samples, 8, 16, kCellAspect, 1);
+  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const V2f at = plan.positions[i] * V2f(8, 16);
+      const int pixel = static_cast<int>(at.y) * 8 + static_cast<int>(at.x);
+      const Rgb shown = raster.cell(cell)[static_cast<std::size_t>(pixel)];
+      const SeenSample& sample =
+          samples.all()[static_cast<std::size_t>(cell) * 4 + i];
+      EXPECT_TRUE(shown.equalWithAbsError(sample.encoded, 0.008f))
+          << shown << sample.encoded;
+    }
+  }
+}
+
+TEST(AdaptiveRebuild, NeverLeavesTheRangeOfTheSamples) {
+  const SeenSamples samples = RandomSamples(5);
+  const RebuiltRaster raster = Rebuild(samples, 3, 7, kCellAspect, 2);
+  ASSERT_EQ(raster.encoded.size(), static_cast<std::size_t>(12 * 3 * 7));
+  for (const Rgb& color : raster.encoded) {
+    EXPECT_GE(color.x, 0.0f);
+    EXPECT_LE(color.x, 1.0f);
+  }
+}
+
+}  // namespace
+}  // namespace rtb
