@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/image/io.h"
 #include "encoders/decode.h"
 #include "encoders/registry.h"
 #include "harness/metrics/flip_map.h"
@@ -53,37 +53,29 @@ class Contest {
     SceneRequest request;
     request.scene =
         std::string(RTB_TEST_SOURCE_DIR "/scenes/") + name + ".yaml";
-    auto scene = PrepareScene(request);
-    if (!scene) {
-      ADD_FAILURE() << scene.error().ToString();
-      return;
-    }
-    scene_.emplace(std::move(*scene));
+    scene_ = PrepareScene(request).value();
   }
 
   /// POV-Ray's image.
   void UsePovray() {
-    auto picture = ChooseReference("povray", *scene_, kRaster);
-    ASSERT_TRUE(picture) << picture.error().ToString();
-    reference_ = std::move(picture->display);
+    reference_ = ChooseReference("povray", scene_, kRaster).value().display;
   }
 
   /// Our own.
   void Render(int spp) {
     RenderOptions options;
     options.spp = spp;
-    const auto image = RenderImage(*scene_->backend, kRaster, options);
-    ASSERT_TRUE(image) << image.error().ToString();
-    reference_ = DisplayEncoded(*image, scene_->exposure, true);
+    const Image image = RenderImage(*scene_.backend, kRaster, options).value();
+    reference_ = DisplayEncoded(image, scene_.exposure, true);
   }
 
   double Mse(const std::string& spec) {
-    SceneSource source = scene_->Source();
+    SceneSource source = scene_.Source();
     return MeanSquaredError(MetricInput(reference_, Shown(spec, source)));
   }
 
   double Flip(const std::string& spec) {
-    SceneSource source = scene_->Source();
+    SceneSource source = scene_.Source();
     const MetricInput input(reference_, Shown(spec, source));
     const auto values = FlipMap(input, kFlipPpd).values();
     double sum = 0;
@@ -100,15 +92,13 @@ class Contest {
 
  private:
   const Image& Shown(const std::string& spec, FragmentSource& source) {
-    const auto encoder = MakeEncoder(spec);
-    EXPECT_TRUE(encoder) << spec;
-    const auto encoding = (*encoder)->Run(source, kGrid, 0.5, {});
-    EXPECT_TRUE(encoding) << spec;
-    shown_ = *Decode(encoding->grid, {});
+    const auto encoder = MakeEncoder(spec).value();
+    const Encoding encoding = encoder->Run(source, kGrid, 0.5, {}).value();
+    shown_ = Decode(encoding.grid, {}).value();
     return shown_;
   }
 
-  std::optional<PreparedScene> scene_;
+  PreparedScene scene_;
   Image reference_;
   Image shown_;
 };
