@@ -41,6 +41,7 @@ Json Encoders() {
     list.push_back({{"name", entry.info.name},
                     {"samples_per_cell", entry.info.samples_per_cell},
                     {"glyphs", entry.info.glyphs},
+                    {"needs_parameters", entry.info.needs_parameters},
                     {"version", entry.info.version},
                     {"available", entry.info.why_not.empty()},
                     {"why_not", entry.info.why_not},

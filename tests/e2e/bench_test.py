@@ -52,7 +52,9 @@ class BenchTest(ProgramTest):
             stable(self.record("bench", "--encoder=half", *QUICK)))
 
     def test_all_is_every_encoder_listed(self):
-        listed = json.loads(self.succeed("list", "encoders", "--json"))
+        listed = [encoder for encoder in json.loads(
+            self.succeed("list", "encoders", "--json"))
+            if encoder["available"] and not encoder["needs_parameters"]]
         record = self.record(*QUICK)
         self.assertEqual([run["encoder"] for run in record["runs"]],
                          [encoder["name"] for encoder in listed])

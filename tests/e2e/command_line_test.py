@@ -85,8 +85,9 @@ class CommandLineTest(ProgramTest):
         for encoder in encoders.values():
             self.assertEqual(
                 set(encoder),
-                {"name", "samples_per_cell", "glyphs", "version", "available",
-                 "why_not", "description", "parameters"})
+                {"name", "samples_per_cell", "glyphs", "needs_parameters",
+                 "version", "available", "why_not", "description",
+                 "parameters", "modifiers"})
             self.assertEqual(encoder["available"], not encoder["why_not"])
             for parameter in encoder["parameters"]:
                 self.assertEqual(set(parameter), {"name", "default", "values",
@@ -103,7 +104,8 @@ class CommandLineTest(ProgramTest):
             self.write("in.png", png(4, 4, gradient))
             self.fail_with(3, "encode", "--input=in.png", "--encoder=chafa",
                            says="libchafa")
-        self.assertIn("external", encoders)
+        self.assertEqual([name for name, encoder in encoders.items()
+                          if encoder["needs_parameters"]], ["external"])
 
     def test_installed_data_is_used(self):
         for scene in json.loads(self.succeed("list", "scenes", "--json")):

@@ -6,7 +6,7 @@ import re
 import unittest
 
 from pictures import gradient, png, read_png
-from program import ProgramTest
+from program import ROOT, ProgramTest
 
 
 class EncodeTest(ProgramTest):
@@ -94,6 +94,21 @@ class EncodeTest(ProgramTest):
         args = ["--input=in.png", "--encoder=tiv", "--grid=31x11"]
         self.assertEqual(self.cells(*args, "--threads=1"),
                          self.cells(*args, "--threads=3"))
+
+    def test_another_program_as_encoder(self):
+        self.write("in.png", png(6, 6, gradient))
+        args = ["--input=in.png", "--grid=6x3"]
+        half = self.cells(*args, "--encoder=half")
+        program = ROOT / "tests" / "data" / "programs" / "half_blocks.py"
+        spec = (f"external:samples=1x2:/usr/bin/python3 -B '{program}' "
+                "{input} {cols} {rows}")
+        self.assertEqual(self.cells(*args, "--encoder=" + spec), half)
+        self.fail_with(3, "encode", *args,
+                       "--encoder=external:no-such-program {input}",
+                       says=("no-such-program", "install"))
+        self.fail_with(1, "encode", *args,
+                       "--encoder=external:sh -c 'echo dark >&2; exit 4' "
+                       "{input}", says=("status 4", "dark"))
 
     def test_errors(self):
         self.write("in.png", png(4, 4, gradient))
