@@ -23,8 +23,8 @@ Result<BenchScene> LoadBenchScene(const std::string& name);
 /// `encode/SPEC` for every encoder of the registry, with `ns_per_cell`.
 void RegisterEncodeBenchmarks();
 
-/// `adaptive/choose/SCENE`: choosing and tracing the rays of encoder `adaptive`,
-/// with the `share` that choosing costs of tracing.
+/// `adaptive/choose/SCENE`: choosing and tracing the rays of encoder
+/// `adaptive`, with the `share` that choosing costs of tracing.
 void RegisterAdaptiveBenchmarks();
 
 /// `render/SCENE` for every scene of the repository, with `rays_per_second`.
