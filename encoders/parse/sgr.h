@@ -16,10 +16,10 @@ inline constexpr int kFaintAsBlink = 5;  ///< SGR 2 as SGR 5.
 /// @}
 
 /// What `CSI parameters m` does to the look of cells, as sequences of few
-/// parameters each. libvterm 0.1.4 crashes on more than 16, reads the color
-/// space of `38:2::r:g:b` as red, and takes the color of underlines (58) for
-/// attributes. Left out: what cells do not show (bold, italic, lines, blinking,
-/// fonts) and colors out of range.
+/// parameters each. libvterm 0.1.4 crashes on more than 16, reads the (empty)
+/// color space of `38:2:SPACE:r:g:b` as red, and takes the color of underlines
+/// (58) for attributes. Left out: what cells do not show (bold, italic, lines,
+/// blinking, fonts) and colors out of range.
 /// Source: ITU-T T.416, section 13.1.8; xterm's ctlseqs.
 std::string PortableSgr(std::string_view parameters);
 
