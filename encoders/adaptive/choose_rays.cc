@@ -121,14 +121,13 @@ std::vector<RayChoice> ChooseRays(const VoronoiMap& map,
   const std::span<const float> best = map.best_gains();
   // That many cells have a ray that gains this much: none below is wanted.
   float least = Largest({best.begin(), best.end()}, request.rays);
-  // Few cells want many rays. It is cheaper to choose a few in each cell first,
-  // which shows what the last of the wanted ones gains.
-  std::vector<RayChoice> rays;
-  for (int most = 2;; most *= 2) {
-    most = std::min(most, request.most_per_cell);
-    rays = RaysAbove(map, samples, least, most, request);
-    least = std::max(least, Largest(GainsOf(rays), request.rays));
-    if (most == request.most_per_cell || !WantsMore(rays, most, least)) break;
+  // Few cells want many rays. It is cheaper to choose two in each cell first,
+  // which shows about what the last of the wanted ones gains.
+  const int few = std::min(2, request.most_per_cell);
+  std::vector<RayChoice> rays = RaysAbove(map, samples, least, few, request);
+  least = std::max(least, Largest(GainsOf(rays), request.rays));
+  if (WantsMore(rays, few, least)) {
+    rays = RaysAbove(map, samples, least, request.most_per_cell, request);
   }
   KeepBest(rays, request.rays);
   return rays;

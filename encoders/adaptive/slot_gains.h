@@ -11,11 +11,26 @@
 
 namespace rtb {
 
+/// The centers of the slots of a cell.
+struct SlotCenters {
+  std::array<float, kSlots> x;
+  std::array<float, kSlots> y;
+};
+
+inline const SlotCenters kCenters = [] {
+  SlotCenters centers;
+  for (int slot = 0; slot < kSlots; ++slot) {
+    centers.x[static_cast<std::size_t>(slot)] = SlotCenter(slot).x;
+    centers.y[static_cast<std::size_t>(slot)] = SlotCenter(slot).y;
+  }
+  return centers;
+}();
+
 /// The gains of one cell.
 class SlotGains {
  public:
   SlotGains(const CellSlots& slots, float cell_width)
-      : slots_(slots), pitch_x_(cell_width / kSlotColumns) {
+      : slots_(slots), cell_width_(cell_width) {
     for (std::size_t i = 0; i < kSlots; ++i) {
       gains_[i] = Gain(slots.contrast[i], slots.distance2[i], slots.extent[i]);
     }
@@ -23,13 +38,18 @@ class SlotGains {
 
   /// The slot of the largest gain, of equal ones the first.
   int Best() const {
-    std::array<float, kSlotColumns> columns{};
-    for (std::size_t i = 0; i < kSlots; ++i) {
-      float& best = columns[i % kSlotColumns];
-      best = best > gains_[i] ? best : gains_[i];
+    // By halves, which compilers turn into vectors.
+    std::array<float, kSlots / 2> most;
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      most[i] = std::max(gains_[i], gains_[i + most.size()]);
     }
-    const float best = std::ranges::max(columns);
-    return static_cast<int>(std::ranges::find(gains_, best) - gains_.begin());
+    for (std::size_t half = most.size() / 2; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) {
+        most[i] = std::max(most[i], most[i + half]);
+      }
+    }
+    return static_cast<int>(std::ranges::find(gains_, most[0]) -
+                            gains_.begin());
   }
   float gain(int slot) const { return gains_[At(slot)]; }
   /// From a slot's center to the nearest sample.
@@ -41,19 +61,13 @@ class SlotGains {
   /// Counts on a sample in a slot, whose color is not known.
   void Expect(int slot, const V2f& position) {
     slots_.extent[At(slot)] = WithOneMore(slots_.extent[At(slot)]);
-    const float x = position.x * kSlotColumns - 0.5f;
-    const float y = position.y * kSlotRows - 0.5f;
-    for (int j = 0; j < kSlotRows; ++j) {
-      const float dy = (static_cast<float>(j) - y) * (kCellHeight / kSlotRows);
-      for (int i = 0; i < kSlotColumns; ++i) {
-        const auto at = static_cast<std::size_t>(j * kSlotColumns + i);
-        const float dx = (static_cast<float>(i) - x) * pitch_x_;
-        const float distance2 = dx * dx + dy * dy;
-        const float old = slots_.distance2[at];
-        slots_.distance2[at] = distance2 < old ? distance2 : old;
-        gains_[at] =
-            Gain(slots_.contrast[at], slots_.distance2[at], slots_.extent[at]);
-      }
+    // One loop over all slots, which compilers turn into vectors.
+    for (std::size_t i = 0; i < kSlots; ++i) {
+      const float dx = (kCenters.x[i] - position.x) * cell_width_;
+      const float dy = (kCenters.y[i] - position.y) * kCellHeight;
+      const float distance2 = std::min(slots_.distance2[i], dx * dx + dy * dy);
+      slots_.distance2[i] = distance2;
+      gains_[i] = Gain(slots_.contrast[i], distance2, slots_.extent[i]);
     }
   }
 
@@ -61,7 +75,7 @@ class SlotGains {
   static std::size_t At(int slot) { return static_cast<std::size_t>(slot); }
 
   CellSlots slots_;
-  float pitch_x_;
+  float cell_width_;
   std::array<float, kSlots> gains_;
 };
 

@@ -9,8 +9,6 @@
 namespace rtb {
 namespace {
 
-constexpr int kGrain = 64;
-
 /// Before there is a sample. Finite, as is its square.
 constexpr float kFar2 = 1e9f;
 
@@ -29,7 +27,7 @@ std::pair<std::size_t, std::size_t> OfRows(std::span<const SeenSample> samples,
   return {at(first), at(last + 1)};
 }
 
-/// A row of slots, of as many as a cell has.
+/// Squared distances of colors in a row of slots.
 struct ColorRow {
   const float* r;
   const float* g;
@@ -70,10 +68,8 @@ void VoronoiMap::Insert(std::span<const SeenSample> samples,
     }
   });
   RepeatBorder();
-  ParallelFor(grid_.cells(), kGrain, threads, [&](int begin, int end) {
-    for (int cell = begin; cell < end; ++cell) {
-      if (ChangedAround(cell)) Compare(cell);
-    }
+  ParallelFor(grid_.rows, 1, threads, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) CompareRow(row);
   });
 }
 
@@ -162,32 +158,47 @@ bool VoronoiMap::ChangedAround(int cell) const {
          (y + 1 < grid_.rows && changed_[at + columns]);
 }
 
-void VoronoiMap::Compare(int cell) {
+void VoronoiMap::CompareRow(int row) {
+  const int first = row * grid_.columns;
+  for (int begin = 0; begin < grid_.columns; ++begin) {
+    if (!ChangedAround(first + begin)) continue;
+    int end = begin + 1;
+    while (end < grid_.columns && ChangedAround(first + end)) ++end;
+    Compare(row, begin, end);
+    begin = end;
+  }
+}
+
+void VoronoiMap::Compare(int row, int begin, int end) {
   const auto stride = static_cast<std::ptrdiff_t>(stride_);
-  const int left = cell % grid_.columns * kSlotColumns;
-  const int top = cell / grid_.columns * kSlotRows;
-  std::array<float, kSlotColumns> best{};
-  for (int y = top; y < top + kSlotRows; ++y) {
-    const std::size_t row = Index(left, y);
-    const ColorRow color = {&color_[0][row], &color_[1][row], &color_[2][row]};
-    std::array<float, kSlotColumns> contrast;
-    for (std::ptrdiff_t i = 0; i < kSlotColumns; ++i) {
-      const float across = color.Apart(i - 1, i + 1);
-      const float down = color.Apart(i - stride, i + stride);
-      contrast[static_cast<std::size_t>(i)] =
-          (across > down ? across : down) + kLeastContrast;
+  const auto count = static_cast<std::size_t>((end - begin) * kSlotColumns);
+  std::vector<float> best(count);
+  for (int y = row * kSlotRows; y < (row + 1) * kSlotRows; ++y) {
+    const std::size_t at = Index(begin * kSlotColumns, y);
+    const ColorRow color = {&color_[0][at], &color_[1][at], &color_[2][at]};
+    float* const contrast = &contrast_[at];
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto i = static_cast<std::ptrdiff_t>(k);
+      contrast[k] = std::max(color.Apart(i - 1, i + 1),
+                             color.Apart(i - stride, i + stride)) +
+                    kLeastContrast;
     }
     if (priority_ == Priority::kRoot) {
-      for (float& value : contrast) value = std::sqrt(value);
+      for (std::size_t k = 0; k < count; ++k) {
+        contrast[k] = std::sqrt(contrast[k]);
+      }
     }
-    for (std::size_t i = 0; i < kSlotColumns; ++i) {
-      contrast_[row + i] = contrast[i];
-      const float gain =
-          Gain(contrast[i], distance2_[row + i], extent_[row + i]);
-      best[i] = best[i] > gain ? best[i] : gain;
+    const float* const distance2 = &distance2_[at];
+    const float* const extent = &extent_[at];
+    for (std::size_t k = 0; k < count; ++k) {
+      best[k] = std::max(best[k], Gain(contrast[k], distance2[k], extent[k]));
     }
   }
-  best_gains_[static_cast<std::size_t>(cell)] = std::ranges::max(best);
+  for (int cell = begin; cell < end; ++cell) {
+    const auto at = static_cast<std::size_t>((cell - begin) * kSlotColumns);
+    best_gains_[static_cast<std::size_t>(row * grid_.columns + cell)] =
+        std::ranges::max(std::span(best).subspan(at, kSlotColumns));
+  }
 }
 
 CellSlots VoronoiMap::Slots(int cell) const {

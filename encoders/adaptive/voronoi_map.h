@@ -51,7 +51,9 @@ class VoronoiMap {
   void Enter(const SeenSample& sample, const V2f& at, const Window& window);
   void RepeatBorder();
   bool ChangedAround(int cell) const;
-  void Compare(int cell);
+  void CompareRow(int row);
+  /// The contrasts and best gains of cells side by side.
+  void Compare(int row, int begin, int end);
   /// Index of a slot; -1 and one past the last are the border.
   std::size_t Index(int x, int y) const {
     return static_cast<std::size_t>(y + 1) * stride_ +
