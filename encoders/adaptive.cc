@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/numbers.h"
 #include "core/base/parallel.h"
 #include "encoders/adaptive/rebuild.h"
 #include "encoders/adaptive/tracer.h"
@@ -16,6 +15,7 @@
 #include "encoders/fit/fit.h"
 #include "encoders/modifiers/median.h"
 #include "encoders/modifiers/modifiers.h"
+#include "encoders/parameters.h"
 #include "encoders/registry.h"
 
 namespace rtb {
@@ -35,12 +35,6 @@ const EncoderParameter& ColorParameter() {
       "color", "mean", "mean|median",
       "the two colors: of least squared error, or the geometric median of each "
       "side, with more rays for faint contrasts"};
-  return parameter;
-}
-
-const EncoderParameter& SeedParameter() {
-  static const EncoderParameter parameter{"seed", "the run's", "integer >= 0",
-                                          "of the rays' random offsets"};
   return parameter;
 }
 
@@ -137,14 +131,11 @@ class Adaptive : public Encoder {
 Result<std::unique_ptr<Encoder>> Make(const EncoderParameters& given) {
   Settings settings;
   RTB_ASSIGN_OR_RETURN(settings.rays,
-                       ParseNumber(RaysParameter().name,
-                                   ValueOf(RaysParameter(), given), 1, 64));
+                       ReadNumber(RaysParameter(), given, 1, 64));
   RTB_ASSIGN_OR_RETURN(const int color, ReadChoice(ColorParameter(), given));
   settings.color = static_cast<ColorRule>(color);
   RTB_ASSIGN_OR_RETURN(settings.blend, ReadBlend(given));
-  if (const auto seed = given.find(SeedParameter().name); seed != given.end()) {
-    RTB_ASSIGN_OR_RETURN(settings.seed, ParseSeed(seed->first, seed->second));
-  }
+  RTB_ASSIGN_OR_RETURN(settings.seed, ReadSeed(given));
   RTB_ASSIGN_OR_RETURN(Atlas atlas, ReadAtlas(given));
   return std::make_unique<Adaptive>(std::move(atlas), settings);
 }

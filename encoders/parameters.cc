@@ -43,4 +43,18 @@ Result<double> ReadNumber(const EncoderParameter& parameter,
   return ParseNumber(parameter.name, ValueOf(parameter, given), low, high);
 }
 
+const EncoderParameter& SeedParameter() {
+  static const EncoderParameter parameter{"seed", "the run's", "integer >= 0",
+                                          "of the random positions"};
+  return parameter;
+}
+
+Result<std::optional<std::uint64_t>> ReadSeed(const EncoderParameters& given) {
+  const auto found = given.find(SeedParameter().name);
+  if (found == given.end()) return std::nullopt;
+  RTB_ASSIGN_OR_RETURN(const std::uint64_t seed,
+                       ParseSeed(found->first, found->second));
+  return seed;
+}
+
 }  // namespace rtb

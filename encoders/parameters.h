@@ -2,6 +2,8 @@
 /// Reading the values of encoder parameters, for the plug-ins' factories.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -24,6 +26,12 @@ Result<int> ReadChoice(const EncoderParameter& parameter,
 Result<double> ReadNumber(const EncoderParameter& parameter,
                           const EncoderParameters& given, double low,
                           double high);
+
+/// The parameter `seed`, of encoders that place samples at random.
+const EncoderParameter& SeedParameter();
+
+/// The given seed; none where it is the run's.
+Result<std::optional<std::uint64_t>> ReadSeed(const EncoderParameters& given);
 
 /// The names in `a|b|c`.
 std::vector<std::string> ChoiceNames(const EncoderParameter& parameter);

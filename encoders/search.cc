@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/numbers.h"
 #include "core/base/parallel.h"
+#include "encoders/parameters.h"
 #include "encoders/registry.h"
 #include "encoders/search/tracer.h"
 
@@ -48,12 +48,6 @@ const EncoderParameter& FlatParameter() {
   static const EncoderParameter parameter{
       "flat", "3", "number >= 0",
       "a cell whose best split is weaker, in squared 8-bit codes, is a space"};
-  return parameter;
-}
-
-const EncoderParameter& SeedParameter() {
-  static const EncoderParameter parameter{"seed", "the run's", "integer >= 0",
-                                          "of the random positions"};
   return parameter;
 }
 
@@ -189,11 +183,7 @@ Result<SearchSettings> ReadSettings(const EncoderParameters& given) {
   settings.fit = static_cast<FitTo>(fit);
   RTB_ASSIGN_OR_RETURN(settings.flat,
                        ReadNumber(FlatParameter(), given, 0, 255.0 * 255 * 3));
-  if (given.contains(SeedParameter().name)) {
-    RTB_ASSIGN_OR_RETURN(
-        settings.seed,
-        ParseSeed(SeedParameter().name, ValueOf(SeedParameter(), given)));
-  }
+  RTB_ASSIGN_OR_RETURN(settings.seed, ReadSeed(given));
   RTB_ASSIGN_OR_RETURN(settings.blend, ReadBlend(given));
   return settings;
 }

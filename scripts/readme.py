@@ -19,8 +19,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
 PICTURE = ROOT / "docs" / "images" / "whitted-octant.png"
-JOB = ["--encoder=half,quadrant,tiv,sextant,octant,braille", "--scene=cornell",
-       "--quiet"]
+JOB = ["--encoder=half,quadrant,search,tiv,sextant,octant,braille,optimal,"
+       "adaptive", "--scene=cornell", "--quiet"]
 TABLE = re.compile(r"(?<=<!-- table -->\n```\n).*?(?=```\n<!-- /table -->)",
                    re.DOTALL)
 
