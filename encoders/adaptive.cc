@@ -11,7 +11,9 @@
 #include "core/base/parallel.h"
 #include "encoders/adaptive/rebuild.h"
 #include "encoders/adaptive/tracer.h"
+#include "encoders/encode_cells.h"
 #include "encoders/fit/atlas_parameters.h"
+#include "encoders/fit/batch_fit.h"
 #include "encoders/fit/fit.h"
 #include "encoders/modifiers/median.h"
 #include "encoders/modifiers/modifiers.h"
@@ -48,7 +50,7 @@ struct Settings {
 class Adaptive : public Encoder {
  public:
   Adaptive(Atlas atlas, const Settings& settings)
-      : atlas_(std::move(atlas)), settings_(settings) {}
+      : atlas_(std::move(atlas)), settings_(settings), batch_(atlas_) {}
 
   std::vector<char32_t> Candidates() const override {
     std::vector<char32_t> glyphs;
@@ -70,42 +72,56 @@ class Adaptive : public Encoder {
                      settings_.seed.value_or(context.seed), context.threads}));
     const RebuiltRaster raster = Rebuild(
         samples, atlas_.width(), atlas_.height(), cell_aspect, context.threads);
-    Encoding encoding{CellGrid(grid), 0, {}};
+    Encoding encoding;
     encoding.rays_per_cell =
         static_cast<double>(samples.all().size()) / grid.cells();
-    ParallelFor(grid.cells(), kGrain, context.threads, [&](int begin, int end) {
-      for (int cell = begin; cell < end; ++cell) {
-        encoding.grid.cells[static_cast<std::size_t>(cell)] =
-            ChooseCell(raster.cell(cell));
-      }
-    });
     encoding.evidence =
         EvidenceOf(raster, grid, cell_aspect, encoding.rays_per_cell);
+    encoding.grid = Choose(encoding.evidence.rounds[0].fragments, context);
     return encoding;
   }
 
  private:
-  Cell ChooseCell(std::span<const Rgb> encoded) const {
-    std::vector<V3d> samples(encoded.size());
-    if (settings_.blend == Blend::kSrgb) {
-      std::ranges::transform(encoded, samples.begin(),
-                             [](const Rgb& color) { return V3d(color); });
-    } else {
-      ToBlend(settings_.blend, Decoded(encoded), samples);
-    }
-    const CellFit fit = FitCell(atlas_, settings_.blend, samples);
-    if (settings_.color == ColorRule::kMean) return fit.cell;
-    const auto candidate = static_cast<std::size_t>(fit.candidate);
-    return WithMedianColors(fit.cell, atlas_.candidates()[candidate],
-                            settings_.blend, samples);
+  /// What `optimal` chooses for the raster, in median colors where these are
+  /// asked for.
+  CellGrid Choose(const Fragments& raster, const EncodeContext& context) const {
+    CellGrid grid = ChooseOptimal(raster, context);
+    if (settings_.color == ColorRule::kMean) return grid;
+    ParallelFor(
+        raster.grid.cells(), kGrain, context.threads, [&](int begin, int end) {
+          for (int i = begin; i < end; ++i) {
+            Cell& cell = grid.cells[static_cast<std::size_t>(i)];
+            cell = WithMedianColors(cell, MaskOf(cell.glyph), settings_.blend,
+                                    InBlendSpace(raster.cell(i)));
+          }
+        });
+    return grid;
   }
 
-  static std::vector<Rgb> Decoded(std::span<const Rgb> encoded) {
-    std::vector<Rgb> linear(encoded.size());
-    std::ranges::transform(encoded, linear.begin(), [](const Rgb& color) {
-      return Rgb(SrgbDecode(color.x), SrgbDecode(color.y), SrgbDecode(color.z));
-    });
-    return linear;
+  CellGrid ChooseOptimal(const Fragments& raster,
+                         const EncodeContext& context) const {
+    const int samples = atlas_.width() * atlas_.height();
+    if (settings_.blend == Blend::kSrgb && !context.scalar) {
+      return EncodeCells(
+          raster, samples, context.threads,
+          [this](std::span<const Rgb> linear, std::span<Cell> cells) {
+            batch_.Fit(linear, cells);
+          });
+    }
+    return EncodeCells(
+        raster, samples, context.threads, [this](std::span<const Rgb> linear) {
+          return FitCell(atlas_, settings_.blend, InBlendSpace(linear)).cell;
+        });
+  }
+
+  const FitMask& MaskOf(char32_t glyph) const {
+    return atlas_.candidates()[static_cast<std::size_t>(atlas_.Find(glyph))];
+  }
+
+  std::vector<V3d> InBlendSpace(std::span<const Rgb> linear) const {
+    std::vector<V3d> samples(linear.size());
+    ToBlend(settings_.blend, linear, samples);
+    return samples;
   }
 
   /// The raster in 8 bits, as if every sub-pixel had been sampled.
@@ -126,6 +142,7 @@ class Adaptive : public Encoder {
 
   Atlas atlas_;
   Settings settings_;
+  BatchFit batch_;
 };
 
 Result<std::unique_ptr<Encoder>> Make(const EncoderParameters& given) {
