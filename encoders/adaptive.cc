@@ -52,13 +52,7 @@ class Adaptive : public Encoder {
   Adaptive(Atlas atlas, const Settings& settings)
       : atlas_(std::move(atlas)), settings_(settings), batch_(atlas_) {}
 
-  std::vector<char32_t> Candidates() const override {
-    std::vector<char32_t> glyphs;
-    for (const FitMask& mask : atlas_.candidates()) {
-      glyphs.push_back(mask.glyph);
-    }
-    return glyphs;
-  }
+  std::vector<char32_t> Candidates() const override { return atlas_.glyphs(); }
 
   Result<Encoding> Run(FragmentSource& source, GridSize grid,
                        double cell_aspect,

@@ -41,13 +41,7 @@ class Optimal : public PlanEncoder {
         [this](std::span<const Rgb> linear) { return EncodeCell(linear); });
   }
 
-  std::vector<char32_t> Candidates() const override {
-    std::vector<char32_t> glyphs;
-    for (const FitMask& mask : atlas_.candidates()) {
-      glyphs.push_back(mask.glyph);
-    }
-    return glyphs;
-  }
+  std::vector<char32_t> Candidates() const override { return atlas_.glyphs(); }
 
  private:
   Cell EncodeCell(std::span<const Rgb> linear) const {

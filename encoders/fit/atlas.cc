@@ -56,6 +56,12 @@ FitMask MakeFitMask(char32_t glyph, const Mask& mask) {
   return made;
 }
 
+std::vector<char32_t> Atlas::glyphs() const {
+  std::vector<char32_t> glyphs;
+  for (const FitMask& mask : candidates_) glyphs.push_back(mask.glyph);
+  return glyphs;
+}
+
 int Atlas::Find(char32_t glyph) const {
   const auto found = index_.find(glyph);
   return found == index_.end() ? -1 : found->second;

@@ -47,6 +47,9 @@ class Atlas {
   /// lowest code point stands for all.
   std::span<const FitMask> candidates() const { return candidates_; }
 
+  /// The candidates' code points.
+  std::vector<char32_t> glyphs() const;
+
   /// Index of the candidate that looks like the glyph; -1 when the glyph is
   /// not in the atlas.
   int Find(char32_t glyph) const;

@@ -72,8 +72,8 @@ void AddOffsets(const RepaintOptions& options, const DitherTiles& tiles,
 /// What a cell's look lacks of its samples, on the mean.
 V3d Residual(const Cell& cell, const Atlas& atlas, Blend blend,
              std::span<const V3d> samples) {
-  const FitMask& mask = atlas.candidates()[static_cast<std::size_t>(
-      std::max(0, atlas.Find(cell.glyph)))];
+  const FitMask& mask =
+      atlas.candidates()[static_cast<std::size_t>(atlas.Find(cell.glyph))];
   const double covered = mask.sum / mask.size();
   std::array<V3d, 2> colors{V3d(0), V3d(0)};
   const std::array<Rgb, 2> linear = {Decode8(cell.fg), Decode8(cell.bg)};

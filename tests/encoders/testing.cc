@@ -55,6 +55,12 @@ std::vector<Rgb8> Drawn(const std::string& picture,
   return colors;
 }
 
+CellGrid Row(std::vector<Cell> cells) {
+  CellGrid grid({static_cast<int>(cells.size()), 1});
+  grid.cells = std::move(cells);
+  return grid;
+}
+
 std::string GlyphText(const CellGrid& grid) {
   std::string text;
   for (int row = 0; row < grid.size.rows; ++row) {

@@ -32,6 +32,9 @@ Cell EncodeOneGray(const std::string& spec, const std::vector<int>& codes);
 std::vector<Rgb8> Drawn(const std::string& picture,
                         const std::map<char, Rgb8>& legend);
 
+/// A grid of one row.
+CellGrid Row(std::vector<Cell> cells);
+
 /// The glyphs of a grid as UTF-8 lines joined by LF.
 std::string GlyphText(const CellGrid& grid);
 

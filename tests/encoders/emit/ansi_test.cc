@@ -10,12 +10,6 @@ namespace {
 constexpr Rgb8 kRed{255, 0, 0};
 constexpr Rgb8 kBlue{0, 0, 255};
 
-CellGrid Row(std::vector<Cell> cells) {
-  CellGrid grid({static_cast<int>(cells.size()), 1});
-  grid.cells = std::move(cells);
-  return grid;
-}
-
 TEST(EmitAnsiTest, SetsBothColorsInOneSequence) {
   EXPECT_EQ(EmitAnsi(Row({{U'▄', {1, 2, 3}, {4, 5, 6}}})),
             "\x1b[38;2;1;2;3;48;2;4;5;6m▄\x1b[m\n");

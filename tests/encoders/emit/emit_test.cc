@@ -11,12 +11,6 @@ namespace {
 constexpr Rgb8 kRed{255, 0, 0};
 constexpr Rgb8 kBlue{0, 0, 255};
 
-CellGrid Row(std::vector<Cell> cells) {
-  CellGrid grid({static_cast<int>(cells.size()), 1});
-  grid.cells = std::move(cells);
-  return grid;
-}
-
 TEST(Utf8Test, UsesOneToFourBytes) {
   EXPECT_EQ(Utf8(U'A'), "A");
   EXPECT_EQ(Utf8(0xA0), "\xC2\xA0");
