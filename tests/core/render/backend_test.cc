@@ -116,7 +116,7 @@ TEST(BackendTest, CountsRaysByKind) {
   ASSERT_TRUE(backend->Render(PixelPlan(10, 10), {}).has_value());
   EXPECT_EQ(backend->ray_counts().camera, 100u);
   EXPECT_EQ(backend->ray_counts().shadow, 100u);
-  EXPECT_EQ(backend->ray_counts().secondary, 0u);
+  EXPECT_EQ(backend->ray_counts().secondary(), 0u);
 }
 
 TEST(BackendTest, TimeMovesTheScene) {
