@@ -1,0 +1,107 @@
+"""How plots look: for print, for the color-blind, and restyled by the page.
+
+Colors are Okabe and Ito's, chosen to be told apart with any color vision; INK
+and LINE occur nowhere else, so that the page can put its own in their place.
+"""
+
+import matplotlib
+
+INK = "#1b1f24"
+LINE = "#d0d4da"
+MUTED = "#7a828c"
+FRONT = "#0072b2"
+CONTROL = "#d55e00"
+SEQUENCE = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00")
+WIDTH = 6.3  # inches: the text of an A4 page
+
+SETTINGS = {
+    "font.family": "DejaVu Sans", "font.size": 8, "axes.titlesize": 9,
+    "axes.labelsize": 8, "xtick.labelsize": 7.5, "ytick.labelsize": 7.5,
+    "legend.fontsize": 7.5, "legend.frameon": False,
+    "text.color": INK, "axes.labelcolor": INK, "axes.titlecolor": INK,
+    "xtick.color": INK, "ytick.color": INK, "axes.edgecolor": INK,
+    "axes.linewidth": 0.6, "axes.spines.top": False,
+    "axes.spines.right": False, "axes.grid": True, "grid.color": LINE,
+    "grid.linewidth": 0.5, "axes.axisbelow": True, "lines.linewidth": 1.2,
+    "errorbar.capsize": 0, "figure.constrained_layout.use": True,
+    "savefig.transparent": True, "svg.fonttype": "none",
+    "pdf.fonttype": 42}
+
+
+def use():
+    """Sets the style; call before drawing."""
+    matplotlib.use("Agg")
+    matplotlib.rcParams.update(matplotlib.rcParamsDefault)
+    matplotlib.use("Agg")
+    matplotlib.rcParams.update(SETTINGS)
+
+
+def plain_log(axis):
+    """Ticks of a logarithmic axis as plain figures."""
+    from matplotlib import ticker
+    low, high = axis.get_view_interval()
+    narrow = high / low < 30
+    axis.set_major_locator(ticker.LogLocator(
+        10, (1, 2, 5) if narrow else (1,), numticks=12))
+    axis.set_major_formatter(ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+    axis.set_minor_formatter(ticker.NullFormatter())
+
+
+def legend_above(axes, columns):
+    """The legend of the labeled things, above the axes."""
+    axes.legend(ncol=columns, loc="lower left", bbox_to_anchor=(0, 1.0),
+                borderaxespad=0.3, borderpad=0, columnspacing=1.2,
+                handlelength=1.4, handletextpad=0.4)
+
+
+def overlap(a, b):
+    """The area that two boxes (x0, y0, x1, y1) share."""
+    width = min(a[2], b[2]) - max(a[0], b[0])
+    height = min(a[3], b[3]) - max(a[1], b[1])
+    return max(0, width) * max(0, height)
+
+
+# Where a label may stand: direction, then distance in points.
+PLACES = [(dx * reach, dy * reach, ha, va) for reach in (5, 10, 17, 26)
+          for dx, dy, ha, va in (
+              (1, 0, "left", "center"), (0.7, 0.7, "left", "bottom"),
+              (0.7, -0.7, "left", "top"), (-1, 0, "right", "center"),
+              (-0.7, 0.7, "right", "bottom"), (-0.7, -0.7, "right", "top"),
+              (0, 1, "center", "bottom"), (0, -1, "center", "top"))]
+
+
+def label_points(axes, points, labels, colors, size=7):
+    """Writes each label beside its point, where it covers least.
+
+    Greedy: a label takes the first place free of points and of earlier labels
+    or else the one that hides least; far ones get a thin line to their point.
+    """
+    figure = axes.figure
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    frame = axes.get_window_extent(renderer).extents
+    centers = axes.transData.transform(points)
+    scale = figure.dpi / 72
+    taken = [(x - 4, y - 4, x + 4, y + 4) for x, y in centers]
+    for point, text, color in zip(points, labels, colors):
+        note = axes.annotate(text, point, (0, 0), fontsize=size, color=color,
+                             textcoords="offset points", linespacing=1.05)
+        best = None
+        for dx, dy, ha, va in PLACES:
+            note.set(ha=ha, va=va)
+            note.set_position((dx, dy))
+            box = note.get_window_extent(renderer).extents
+            area = overlap(box, box)
+            cost = (sum(overlap(box, other) for other in taken)
+                    + 3 * (area - overlap(box, frame))
+                    + 0.3 * scale * (abs(dx) + abs(dy)))
+            if best is None or cost < best[0]:
+                best = cost, (dx, dy, ha, va), box
+        (dx, dy, ha, va), box = best[1:]
+        note.set(ha=ha, va=va)
+        note.set_position((dx, dy))
+        if max(abs(dx), abs(dy)) > 9:
+            axes.annotate("", point, (dx, dy), textcoords="offset points",
+                          arrowprops={"arrowstyle": "-", "color": MUTED,
+                                      "lw": 0.5, "shrinkA": 0, "shrinkB": 3})
+        taken.append(tuple(box))
