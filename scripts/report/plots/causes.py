@@ -78,7 +78,7 @@ def distances(study):
     axes.grid(axis="y", visible=False)
     axes.tick_params(axis="y", length=0)
     axes.set_xlabel(flip_axis(study, "mean FLIP"))
-    style.legend_above(axes, 5)
+    style.legend_above(axes, 3)
     lead = ("Mean FLIP between reference R, converged image, fragments and "
             "grid; FLIP is not additive. The oracle encodes the reference "
             "itself.")

@@ -68,7 +68,8 @@ def tradeoff(study, cost, name, axis, title):
     axes.set(xlabel=axis, ylabel=flip_axis(study, "mean FLIP"))
     names = labels.unique(encoders)
     style.label_points(axes, points,
-                       [labels.wrapped(names[e]) for e in encoders], colors)
+                       [labels.wrapped(names[e]) for e in encoders], colors,
+                       front)
     lead = (f"Mean FLIP over scenes against {axis[0].lower()}{axis[1:]}; "
             f"lower left is better. {FRONT}{BARS}Diamonds: the controls.")
     return Plot(study.name(name), study.title(title),
@@ -129,7 +130,7 @@ def draw_scene(panel, figures, scene, cost, bar):
     encoders = [e for e in figures.encoders
                 if figures.get(e, scene) is not None and cost(e, scene)]
     points = [(cost(e, scene), figures.get(e, scene)) for e in encoders]
-    panel.set_title(scene, loc="left", pad=3)
+    panel.set_title(scene, loc="left", pad=3, fontsize=8)
     if not points:
         return 0
     front = statistics.pareto_front(points)
@@ -145,11 +146,13 @@ def draw_scene(panel, figures, scene, cost, bar):
     panel.tick_params(labelsize=6.5)
     style.plain_log(panel.xaxis)
     names = labels.unique(encoders)
-    kept = [i for i in range(len(points))
-            if i in front or encoders[i] in matrix.CONTROLS]
+    kept = front + [i for i in range(len(points)) if i not in front
+                    and encoders[i] in matrix.CONTROLS]
     style.label_points(panel, [points[i] for i in kept],
                        [labels.wrapped(names[encoders[i]], 14)
-                        for i in kept], [colors[i] for i in kept], 5)
+                        for i in kept], [colors[i] for i in kept],
+                       [n for n, i in enumerate(kept) if i in front], 5,
+                       points)
     return len(points)
 
 
