@@ -90,11 +90,13 @@ class Run:
 
     @property
     def view(self):
-        # What the suite asked for: `default` may be another renderer's for
+        # What the suite asked for: the default may be another renderer's for
         # each scene, and is one view all the same.
-        configuration = self.record.get("unit", {}).get("configuration", {})
-        reference = (configuration.get("reference")
-                     or self.settings["reference"])
+        unit = self.record.get("unit")
+        if unit:
+            reference = unit["configuration"]["reference"] or "default"
+        else:
+            reference = self.settings["reference"]
         return View(self.setting, reference, tuple(self.data["raster"]),
                     self.settings["ppd"])
 

@@ -39,8 +39,12 @@ class Study:
     @functools.cached_property
     def bytes(self):
         """Bytes of a frame of ANSI text."""
-        runs = self.runs or self.timed
-        return matrix.build(runs, lambda r: r.value("bytes_per_frame"))
+        return matrix.build(self.runs, lambda r: r.value("bytes_per_frame"))
+
+    @functools.cached_property
+    def kilobytes(self):
+        return matrix.build(self.runs, lambda r: thousandth(
+            r.value("bytes_per_frame")))
 
     @functools.cached_property
     def ms(self):
@@ -85,6 +89,10 @@ class Study:
                 f"{self.view.setting.label()}; {self.flip_words()}; "
                 f"references: {provenance.references(self.runs)}; "
                 f"{provenance.origin(records)}.{several}")
+
+
+def thousandth(value):
+    return None if value is None else value / 1000
 
 
 def studies(results):

@@ -8,6 +8,7 @@ const first = data.rows.find((row) => row.index === data.first)
   || visible[0];
 if (first) {
   select(first);
-  first.element.scrollIntoView({ block: "nearest" });
+  byId("runs").scrollTop = first.element.offsetTop
+    - byId("runs").clientHeight / 2;
 }
 document.documentElement.dataset.ready = "true";

@@ -5,19 +5,21 @@ import numpy
 from report import labels, matrix, shapes
 from report.table import count
 
-# key, heading, what it is, decimals (None: three significant digits), factor
+# key, heading, the list's heading (None: not there), what it is, decimals
+# (None: three significant digits), value
 COLUMNS = (
-    ("flip", "FLIP", "Mean FLIP, the primary measure; lower is better", 4,
-     lambda run: run.value("metrics", "flip")),
-    ("mse", "MSE ×10⁴", "Mean squared error of sRGB values, times 10,000",
-     None, lambda run: scaled(run.value("metrics", "mse"), 1e4)),
-    ("ssim", "SSIM", "Structural similarity of luma; higher is better", 4,
-     lambda run: run.value("metrics", "ssim")),
-    ("rays", "rays/cell", "Rays that the encoder asked for, a cell", None,
-     lambda run: run.value("rays_per_cell")),
-    ("ms", "ms/frame", "Median milliseconds of planning, rendering, encoding",
-     None, None),
-    ("kb", "kB/frame", "Kilobytes of a frame as ANSI text", None,
+    ("flip", "FLIP", "FLIP", "Mean FLIP, the primary measure; lower is better",
+     4, lambda run: run.value("metrics", "flip")),
+    ("mse", "MSE × 10⁴", "MSE ×10⁴", "Mean squared error of sRGB values, "
+     "times 10,000", None, lambda run: scaled(run.value("metrics", "mse"),
+                                              1e4)),
+    ("ssim", "SSIM", None, "Structural similarity of luma; higher is better",
+     4, lambda run: run.value("metrics", "ssim")),
+    ("rays", "rays a cell", "rays", "Rays that the encoder asked for, a cell",
+     1, lambda run: run.value("rays_per_cell")),
+    ("ms", "ms a frame", "ms", "Median milliseconds of a frame: planning, "
+     "rendering, encoding", None, None),
+    ("kb", "kB a frame", "kB", "Kilobytes of a frame as ANSI text", None,
      lambda run: scaled(run.value("bytes_per_frame"), 1e-3)))
 LEFT_OUT = ("The pictures of this run are left out, so that the page stays "
             "below 25 MB.")
@@ -48,7 +50,7 @@ def values(runs, times):
     scene = (first.scene if first.time == 0
              else f"{first.scene} at {first.time:g} s")
     row = {"scene": scene, "encoder": first.encoder}
-    for key, _, _, _, value in COLUMNS:
+    for key, *_, value in COLUMNS:
         row[key] = (mean_value(runs, value) if value
                     else times.get(first.work))
     return row
@@ -99,12 +101,12 @@ def page_data(results, store):
     several = len({view.reference for view in views}) > 1
     return {
         "rows": rows,
-        "columns": [{"key": "scene", "heading": "scene", "text": True,
-                     "title": "Scene", "listed": True},
-                    {"key": "encoder", "heading": "encoder", "text": True,
-                     "title": "Encoder", "listed": True}]
-        + [{"key": key, "heading": heading, "title": title, "digits": digits,
-            "text": False, "listed": key != "ssim"} for key, heading, title, digits, _ in COLUMNS],
+        "columns": [
+            {"key": name, "heading": name, "listed": name, "text": True,
+             "title": name.capitalize()} for name in ("scene", "encoder")]
+        + [{"key": key, "heading": heading, "listed": listed, "title": title,
+            "digits": digits, "text": False}
+           for key, heading, listed, title, digits, _ in COLUMNS],
         "settings": [{"label": view.label() if several
                       else view.setting.label(),
                       "measured": view.measured()} for view in views],

@@ -80,7 +80,7 @@ function makeHeads() {
     head.dataset.key = column.key;
     if (column.text) head.className = "l";
     button.type = "button";
-    button.textContent = column.heading;
+    button.textContent = column.listed;
     button.title = column.title;
     button.addEventListener("click", () => sortBy(column.key));
     head.append(button);

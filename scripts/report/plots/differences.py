@@ -33,6 +33,7 @@ def forest(study):
 
 
 def draw_control(panel, figures, pairs, order, control):
+    panel.locator_params(axis="x", nbins=5)
     panel.axvline(0, color=style.INK, linewidth=0.8)
     panel.grid(axis="y", visible=False)
     panel.tick_params(axis="y", length=0)

@@ -37,15 +37,15 @@ def use():
     matplotlib.rcParams.update(SETTINGS)
 
 
-def plain_log(axis):
-    """Ticks of a logarithmic axis as plain figures."""
+def plain_log(axis, dense_below=500):
+    """Ticks of a logarithmic axis as plain figures, dense on a short one."""
     from matplotlib import ticker
     low, high = axis.get_view_interval()
-    narrow = high / low < 500
+    narrow = high / low < dense_below
     axis.set_major_locator(ticker.LogLocator(
         10, (1, 2, 5) if narrow else (1,), numticks=12))
     axis.set_major_formatter(ticker.FuncFormatter(lambda v, _: f"{v:g}"))
-    axis.set_minor_formatter(ticker.NullFormatter())
+    axis.set_minor_locator(ticker.NullLocator())
 
 
 def legend_above(axes, columns):

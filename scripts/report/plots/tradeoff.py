@@ -93,8 +93,8 @@ def time(study):
 
 
 def bytes_(study):
-    return tradeoff(study, study.bytes, "error-bytes",
-                    "Bytes a frame of ANSI text (geometric mean)",
+    return tradeoff(study, study.kilobytes, "error-bytes",
+                    "Kilobytes a frame of ANSI text (geometric mean)",
                     "Error against bytes")
 
 
@@ -116,6 +116,9 @@ def small_multiples(study, name, title, axis, lead, cost, bar):
         shown += draw_scene(panel, figures, scene, cost, bar)
     for panel in panels.flat[len(figures.scenes):]:
         panel.set_visible(False)
+    # The lowest of each column has the figures.
+    for panel in panels.flat[:len(figures.scenes)][-columns:]:
+        panel.tick_params(labelbottom=True)
     if not shown:
         pyplot.close(figure)
         return None
@@ -144,7 +147,7 @@ def draw_scene(panel, figures, scene, cost, bar):
     panel.margins(x=0.15, y=0.18)
     panel.set_ylim(bottom=0)
     panel.tick_params(labelsize=6.5)
-    style.plain_log(panel.xaxis)
+    style.plain_log(panel.xaxis, 12)
     names = labels.unique(encoders)
     kept = front + [i for i in range(len(points)) if i not in front
                     and encoders[i] in matrix.CONTROLS]
