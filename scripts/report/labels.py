@@ -1,4 +1,4 @@
-"""Short names of encoders for plots and the page."""
+"""Short names of encoders: a command line of another program is long."""
 
 import shlex
 
@@ -6,14 +6,14 @@ EXTERNAL = "external:"
 
 
 def short(spec):
-    """The program alone of `external:`; a SPEC as it is otherwise."""
+    """`external:` and the program alone; another SPEC as it is."""
     if not spec.startswith(EXTERNAL):
         return spec
     try:
         words = shlex.split(spec[len(EXTERNAL):])
     except ValueError:
         words = spec[len(EXTERNAL):].split()
-    return words[0].rsplit("/", 1)[-1] if words else spec
+    return EXTERNAL + words[0].rsplit("/", 1)[-1] if words else spec
 
 
 def unique(specs):

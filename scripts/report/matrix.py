@@ -63,37 +63,54 @@ class Matrix:
         return bool(self.encoders)
 
 
+def shared_times(times):
+    """The times that all of {encoder: set of times} have in common.
+
+    Where there is none, the one time that most encoders have.
+    """
+    shared = set.intersection(*times.values())
+    if shared:
+        return shared
+    every = sorted(set.union(*times.values()))
+    return {max(every, key=lambda t: sum(t in own for own in times.values()))}
+
+
 def build(runs, value):
     """The matrix of value(run) over runs; runs without a value are left out.
 
-    Seeds of one time are averaged, then the times of one scene.
+    Seeds of one time are averaged, then the times of one scene that all its
+    encoders have: differences are between the same frames.
     """
-    seeds, rays = {}, {}
+    found, rays = {}, {}
     for run in runs:
-        found = value(run)
-        if found is None:
+        figure = value(run)
+        if figure is None:
             continue
-        key = run.encoder, run.scene
-        seeds.setdefault(key, {}).setdefault(run.time, []).append(found)
+        scene = found.setdefault(run.scene, {})
+        own = scene.setdefault(run.encoder, {})
+        own.setdefault(run.time, []).append(figure)
         rays.setdefault(run.encoder, []).append(
             run.value("rays_per_cell") or 0)
     values = {}
-    for (encoder, scene), times in seeds.items():
-        mean = numpy.mean([numpy.mean(found) for found in times.values()])
-        values.setdefault(encoder, {})[scene] = float(mean)
+    for scene, encoders in found.items():
+        times = shared_times({e: set(own) for e, own in encoders.items()})
+        for encoder, own in encoders.items():
+            means = [numpy.mean(own[time]) for time in times if time in own]
+            if means:
+                row = values.setdefault(encoder, {})
+                row[scene] = float(numpy.mean(means))
     # By what they cost, so that a table reads from cheap to dear.
     encoders = sorted(values, key=lambda e: (round(numpy.mean(rays[e]), 1), e))
-    scenes = sorted({scene for row in values.values() for scene in row})
-    return Matrix(encoders, scenes, values)
+    return Matrix(encoders, sorted(found), values)
 
 
 def metric(name):
     return lambda run: run.value("metrics", name)
 
 
-def frame_samples(run):
-    """The milliseconds of each timed frame, or None."""
-    stages = [run.value("ms", stage, "samples") for stage in FRAME_STAGES]
+def frame_samples(run, kind="samples"):
+    """The milliseconds of each timed frame, or None; cpu_samples: CPU time."""
+    stages = [run.value("ms", stage, kind) for stage in FRAME_STAGES]
     if stages[1] is None or stages[2] is None:
         return None
     stages = [samples for samples in stages if samples]

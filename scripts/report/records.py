@@ -4,10 +4,12 @@ A record is one JSON file of results/record.schema.json. Quality units carry
 metrics, timing units times; they meet by what was done (Run.work).
 """
 
+import functools
 import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from report import labels
 from report.errors import BadInput
 
 SCHEMA = 1
@@ -122,6 +124,11 @@ class Results:
     runs: list = field(default_factory=list)
     failures: list = field(default_factory=list)  # the records themselves
     records: list = field(default_factory=list)
+
+    @functools.cached_property
+    def names(self):
+        """{SPEC: short label}, each label once."""
+        return labels.unique(sorted({run.encoder for run in self.runs}))
 
     def of(self, *kinds):
         return [run for run in self.runs if run.kind in kinds]

@@ -13,6 +13,7 @@ class Study:
         self.results = results
         self.view = view
         self.first = first
+        self.names = results.names
         self.runs = [run for run in results.scored() if run.view == view]
         self.timed = [run for run in results.timed()
                       if run.setting == view.setting]
@@ -83,7 +84,8 @@ class Study:
         most = max(map(len, seeds.values()), default=1)
         several = (f" Up to {most} seeds averaged first." if most > 1 else "")
         if any(len(found) > 1 for found in times.values()):
-            several += " The times of one scene averaged first."
+            several += (" Of a scene's times those that all its encoders have, "
+                        "averaged first.")
         records = [run.record for run in runs]
         return (f"{lead} n = {count(scenes, 'scene')}; "
                 f"{self.view.setting.label()}; {self.flip_words()}; "

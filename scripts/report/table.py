@@ -52,6 +52,11 @@ def code(text):
     return Cell(str(text), code=True)
 
 
+def spec(encoder, names):
+    """An encoder by its short label, the whole SPEC behind it."""
+    return Cell(names.get(encoder, encoder), encoder, code=True)
+
+
 def number(value, digits, **more):
     """With a fixed number of decimals."""
     if value is None or not math.isfinite(value):

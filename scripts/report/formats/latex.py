@@ -8,7 +8,7 @@ SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "#": r"\#",
            "$": r"\$", "%": r"\%", "&": r"\&", "_": r"\_",
            "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
            "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
-           '"': r"\textquotedbl{}", "'": r"\textquotesingle{}",
+           '"': r"\char34{}",
            "−": "$-$", "–": "--", "×": r"$\times$", "τ": r"$\tau$",
            "≤": r"$\leq$", "∞": r"$\infty$", "²": r"\textsuperscript{2}",
            "⁴": r"\textsuperscript{4}", "⚠": r"\rtbwarn{}", "χ": r"$\chi$",
@@ -17,9 +17,10 @@ SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "#": r"\#",
 MOST_ROWS = 40
 
 HEAD = r"""\documentclass[10pt]{article}
-\usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
-\usepackage{textcomp,booktabs,longtable,graphicx,caption}
+% Latin Modern where it is there: in T1 the default would be bitmaps.
+\IfFileExists{lmodern.sty}{\usepackage[T1]{fontenc}\usepackage{lmodern}}{}
+\usepackage{booktabs,longtable,graphicx,caption}
 \usepackage[a4paper,landscape,margin=15mm]{geometry}
 \captionsetup{font=small,justification=raggedright,singlelinecheck=false}
 \setlength{\LTleft}{0pt}

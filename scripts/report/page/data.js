@@ -8,8 +8,8 @@ function blob(id) {
   return byId(id).textContent;
 }
 
-function jpeg(id) {
-  return `data:image/jpeg;base64,${blob(id)}`;
+function pictureUrl(id) {
+  return `data:${blob(id)}`;
 }
 
 function bytesOf(base64) {

@@ -8,22 +8,30 @@ from report.errors import BadInput
 
 # Bytes of all pictures together, so that the page stays below 25 MB.
 BUDGET = 21_000_000
-JPEG_QUALITY = 86
+QUALITY = {"reference": 78, "flip": 45}
 
 
-def jpeg_bytes(file):
-    """A JPEG as it is, any other picture as JPEG."""
+def encode(picture, quality):
+    """(media type, bytes), WebP where Pillow knows it."""
+    from PIL import features
+    out = io.BytesIO()
+    kind = "webp" if features.check("webp") else "jpeg"
+    picture.convert("RGB").save(out, kind, quality=quality)
+    return f"image/{kind}", out.getvalue()
+
+
+def shrunk(file, role):
+    """A picture as a data URL without `data:`, as it is where that is less."""
     from PIL import Image, UnidentifiedImageError
     try:
         data = file.read_bytes()
-        if data[:3] == b"\xff\xd8\xff":
-            return data
         with Image.open(io.BytesIO(data)) as picture:
-            out = io.BytesIO()
-            picture.convert("RGB").save(out, "JPEG", quality=JPEG_QUALITY)
-            return out.getvalue()
+            kind, small = encode(picture, QUALITY[role])
+            if picture.format == "JPEG" and len(data) < len(small):
+                kind, small = "image/jpeg", data
     except (OSError, UnidentifiedImageError) as error:
         raise BadInput(f"{file}: not a picture: {error}") from error
+    return f"{kind};base64,{base64.b64encode(small).decode('ascii')}"
 
 
 class Store:
@@ -54,15 +62,14 @@ class Store:
             raise BadInput(f"{name}: a picture outside of {self.folder}")
         return path
 
-    def picture(self, name):
+    def picture(self, name, role):
         """The id of a picture, or None where there is none."""
         if not name or name in self.names:
             return self.names.get(name)
         file = self.file(name)
         if not file.exists():
             return None
-        return self.keep(name, base64.b64encode(
-            jpeg_bytes(file)).decode("ascii"))
+        return self.keep(name, shrunk(file, role))
 
     def grid(self, name):
         """(id, [columns, rows]) of a grid, or (None, None)."""

@@ -2,7 +2,7 @@
 
 import numpy
 
-from report import labels, matrix, shapes
+from report import matrix, shapes
 from report.table import count
 
 # key, heading, the list's heading (None: not there), what it is, decimals
@@ -73,9 +73,9 @@ def page_row(runs, setting, times, names, store):
     runs = sorted(runs, key=lambda run: run.seed)
     first = runs[0]
     files = first.data.get("pictures") or {}
-    reference = store.picture(files.get("reference"))
+    reference = store.picture(files.get("reference"), "reference")
     cells, size = store.grid(files.get("cells"))
-    flip = store.picture(files.get("flip"))
+    flip = store.picture(files.get("flip"), "flip")
     return {"setting": setting, "label": names[first.encoder],
             "values": values(runs, times), "note": note(runs),
             "renderer": first.settings["reference"], "reference": reference,
@@ -87,14 +87,13 @@ def page_data(results, store):
     """Everything but the pictures themselves."""
     views = results.views()
     found = groups(results)
-    names = labels.unique(sorted({run.encoder for run in results.scored()}))
     blocks = {}
     for run in results.timed():
         blocks.setdefault(run.work, []).append(run)
     times = {work: mean_value(runs, matrix.frame_ms)
              for work, runs in blocks.items()}
     order = sorted(found, key=lambda key: (views.index(key[0]), *key[1:]))
-    rows = [page_row(found[key], views.index(key[0]), times, names, store)
+    rows = [page_row(found[key], views.index(key[0]), times, results.names, store)
             for key in order]
     characters = store.alphabet.characters()
     outlines = shapes.outlines(characters)

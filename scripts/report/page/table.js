@@ -53,14 +53,19 @@ function matches(row) {
   const wanted = (id) => byId(id).value;
   return (!wanted("scene") || row.values.scene === wanted("scene"))
     && (!wanted("encoder") || row.values.encoder === wanted("encoder"))
-    && row.setting === Number(wanted("setting"));
+    && ofSetting(row);
+}
+
+function ofSetting(row) {
+  return row.setting === Number(byId("setting").value);
 }
 
 function showRows() {
   visible = data.rows.filter(matches).sort(compareRows);
   for (const row of visible) if (!row.element) makeRow(row);
   body.replaceChildren(...visible.map((row) => row.element));
-  byId("count").textContent = `${visible.length} of ${data.rows.length} runs`;
+  byId("count").textContent = `${visible.length} of `
+    + `${data.rows.filter(ofSetting).length} runs`;
   for (const head of document.querySelectorAll("#table th")) {
     head.setAttribute("aria-sort", head.dataset.key !== order.key ? "none"
       : order.down ? "descending" : "ascending");

@@ -16,7 +16,7 @@ function showUnder() {
     document.querySelector('input[value="reference"]').checked = true;
   }
   const id = view() === "flip" ? current.flip : current.reference;
-  if (id) under.src = jpeg(id);
+  if (id) under.src = pictureUrl(id);
   else under.removeAttribute("src");
   const name = view() === "flip" ? "FLIP map"
     : `reference (${current.renderer})`;

@@ -35,7 +35,7 @@ def shares(study):
         left = left + numpy.minimum(widths, 0)
     axes.axvline(0, color=style.INK, linewidth=0.8)
     axes.axvline(100, color=style.INK, linewidth=0.8, linestyle=(0, (3, 2)))
-    names = labels.unique(encoders)
+    names = study.names
     axes.set_yticks(range(len(encoders)),
                     [labels.wrapped(names[e], 34) for e in encoders])
     axes.grid(axis="y", visible=False)
@@ -71,7 +71,7 @@ def distances(study):
         axes.scatter([figures[key].mean(e) for e in encoders],
                      range(len(encoders)), 22, color=color, marker=marker,
                      label=words, zorder=2, linewidths=0)
-    names = labels.unique(encoders)
+    names = study.names
     axes.set_yticks(range(len(encoders)),
                     [labels.wrapped(names[e], 34) for e in encoders])
     axes.set_xlim(left=0)

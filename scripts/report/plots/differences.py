@@ -14,7 +14,7 @@ def forest(study):
     if not controls or len(figures.encoders) < 2:
         return None
     order = sorted(figures.encoders, key=figures.mean, reverse=True)
-    names = labels.unique(order)
+    names = study.names
     figure, panels = pyplot.subplots(
         1, len(controls), sharey=True, squeeze=False,
         figsize=(style.WIDTH, 0.24 * len(order) + 1.0))

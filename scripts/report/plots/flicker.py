@@ -27,9 +27,8 @@ def flicker(results):
         panel.set_xlim(left=0)
         panel.grid(axis="y", visible=False)
         panel.tick_params(axis="y", length=0)
-    names = labels.unique({encoder for _, encoder in rows})
     panels[0].set_yticks(range(len(rows)), [
-        f"{scene}: {labels.wrapped(names[encoder], 30)}"
+        f"{scene}: {labels.wrapped(labels.short(encoder), 30)}"
         for scene, encoder in rows], fontsize=6.5)
     style.legend_above(panels[0], 2)
     return Plot("flicker", "Flicker of moving scenes", caption(

@@ -66,7 +66,7 @@ def tradeoff(study, cost, name, axis, title):
     axes.margins(x=0.12)
     style.plain_log(axes.xaxis)
     axes.set(xlabel=axis, ylabel=flip_axis(study, "mean FLIP"))
-    names = labels.unique(encoders)
+    names = study.names
     style.label_points(axes, points,
                        [labels.wrapped(names[e]) for e in encoders], colors,
                        front)
@@ -113,7 +113,7 @@ def small_multiples(study, name, title, axis, lead, cost, bar):
         squeeze=False, sharex=True)
     shown = 0
     for panel, scene in zip(panels.flat, figures.scenes):
-        shown += draw_scene(panel, figures, scene, cost, bar)
+        shown += draw_scene(panel, study, scene, cost, bar)
     for panel in panels.flat[len(figures.scenes):]:
         panel.set_visible(False)
     # The lowest of each column has the figures.
@@ -128,8 +128,9 @@ def small_multiples(study, name, title, axis, lead, cost, bar):
                 study.caption(lead, len(figures.scenes)), figure)
 
 
-def draw_scene(panel, figures, scene, cost, bar):
+def draw_scene(panel, study, scene, cost, bar):
     """Returns how many points it drew."""
+    figures = study.flip
     encoders = [e for e in figures.encoders
                 if figures.get(e, scene) is not None and cost(e, scene)]
     points = [(cost(e, scene), figures.get(e, scene)) for e in encoders]
@@ -148,7 +149,7 @@ def draw_scene(panel, figures, scene, cost, bar):
     panel.set_ylim(bottom=0)
     panel.tick_params(labelsize=6.5)
     style.plain_log(panel.xaxis, 12)
-    names = labels.unique(encoders)
+    names = study.names
     kept = front + [i for i in range(len(points)) if i not in front
                     and encoders[i] in matrix.CONTROLS]
     style.label_points(panel, [points[i] for i in kept],

@@ -9,7 +9,7 @@ def build(results):
     """The tables that the records have figures for."""
     found = []
     for one in study.studies(results):
-        found += [flip.by_scene(one), flip.summary(one),
+        found += [flip.by_scene(one), flip.summary(one), flip.by_time(one),
                   *measures.by_scene(one), measures.ratios(one),
                   measures.agreement(one), measures.agreement_by_scene(one),
                   times.stages(one), times.frames(one), times.rays(one),

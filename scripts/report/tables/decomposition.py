@@ -2,7 +2,7 @@
 
 import numpy
 
-from report.table import Cell, Column, Table, code, figure, number, word
+from report.table import Cell, Column, Table, figure, number, spec, word
 from report.tables.flip import scene_table
 
 TERMS = ("render", "sampling", "encoding", "render_sampling",
@@ -25,12 +25,10 @@ def gap(study):
     """The optimality gap by scene, runs below the bound marked."""
     figures = study.gap
     table = scene_table(
-        study.name("optimality-gap"), study.title("Optimality gap by scene"),
-        study.caption(
-            "MSE over the least MSE that two unrounded colors a cell can "
-            "reach with the encoder's glyphs on the reference's raster (1 is "
-            "the bound).", len(figures.scenes)),
-        figures, lambda v: number(v, 2),
+        study, "optimality-gap", "Optimality gap by scene",
+        "MSE over the least MSE that two unrounded colors a cell can reach "
+        "with the encoder's glyphs on the reference's raster (1 is the "
+        "bound).", figures, lambda v: number(v, 2),
         ("geometric mean", figures.geometric_mean))
     broken = study.bounds_broken()
     for run in broken:
@@ -78,7 +76,7 @@ def terms(study):
         for encoder in total.encoders:
             if total.get(encoder, scene) is None:
                 continue
-            row = [word(scene), code(encoder)]
+            row = [word(scene), spec(encoder, study.names)]
             for name in (*TERMS, "total", "font"):
                 value = figures[name].get(encoder, scene)
                 row.append(figure(None if value is None else value * 1e4))
@@ -117,7 +115,7 @@ def shares(study):
         [Column("encoder", left=True)]
         + [Column(TERM_NAMES[t]) for t in TERMS])
     for encoder, row in found.items():
-        table.rows.append([code(encoder)] + [
+        table.rows.append([spec(encoder, study.names)] + [
             Cell(number(100 * row[t], 1).text, row[t]) for t in TERMS])
     return table
 
@@ -135,7 +133,7 @@ def columns_by_scene(study, name, title, lead, group, keys, show):
         for encoder in study.flip.encoders:
             row = [figures[key].get(encoder, scene) for key in keys]
             if any(value is not None for value in row):
-                table.rows.append([word(scene), code(encoder),
+                table.rows.append([word(scene), spec(encoder, study.names),
                                    *map(show, row)])
     return table
 

@@ -1,45 +1,74 @@
 """The primary measure: FLIP by scene, and its paired differences."""
 
+import numpy
+
 from report import matrix, statistics
-from report.table import (Column, Table, code, decimals, interval, number,
-                          p_value, record_of, word)
+from report.table import (Column, Table, decimals, interval, number,
+                          p_value, record_of, spec, word)
 
 DIGITS = 4
 
 
-def scene_table(name, title, caption, figures, show, mean=None):
+def scene_table(study, name, title, lead, figures, show, mean, runs=None):
     """Encoders down, scenes across; `mean` = (heading, function)."""
     columns = [Column("encoder", left=True)]
     columns += [Column(scene, upright=False) for scene in figures.scenes]
-    if mean:
-        columns.append(Column(mean[0], upright=False))
-    table = Table(name, title, caption, columns)
+    columns.append(Column(mean[0], upright=False))
+    table = Table(study.name(name), study.title(title),
+                  study.caption(lead, len(figures.scenes), runs), columns)
     best = {scene: figures.best(scene) for scene in figures.scenes}
     for encoder in figures.encoders:
-        row = [code(encoder)]
+        row = [spec(encoder, study.names)]
         for scene in figures.scenes:
             value = figures.get(encoder, scene)
             cell = show(value)
             cell.best = value is not None and value == best[scene]
             row.append(cell)
-        if mean:
-            # A mean over other scenes than the others' would mislead.
-            whole = len(figures.row(encoder)) == len(figures.scenes)
-            row.append(show(mean[1](encoder) if whole else None))
+        # A mean over other scenes than the others' would mislead.
+        whole = len(figures.row(encoder)) == len(figures.scenes)
+        row.append(show(mean[1](encoder) if whole else None))
         table.rows.append(row)
+    if len(figures.complete()) < len(figures.encoders):
+        table.notes.append("No mean where a scene is missing.")
     return table
 
 
 def by_scene(study):
     figures = study.flip
     table = scene_table(
-        study.name("flip-by-scene"), study.title("FLIP by scene"),
-        study.caption("Mean FLIP (the primary measure, lower is better) of "
-                      "each encoder and scene.", len(figures.scenes)),
-        figures, lambda v: number(v, DIGITS), ("mean", figures.mean))
+        study, "flip-by-scene", "FLIP by scene", "Mean FLIP (the primary "
+        "measure, lower is better) of each encoder and scene.", figures,
+        lambda v: number(v, DIGITS), ("mean", figures.mean))
     table.stated = study.stated("FLIP")
-    if len(figures.complete()) < len(figures.encoders):
-        table.notes.append("No mean where a scene is missing.")
+    return table
+
+
+def by_time(study):
+    """Scenes at several times, each for itself."""
+    times = {}
+    for run in study.runs:
+        times.setdefault(run.scene, set()).add(run.time)
+    runs = [run for run in study.runs if len(times[run.scene]) > 1]
+    at = {}
+    for run in runs:
+        key = run.scene, run.encoder
+        at.setdefault(key, {}).setdefault(run.time, []).append(
+            run.value("metrics", "flip"))
+    columns = sorted({run.time for run in runs})
+    table = Table(
+        study.name("flip-by-time"), study.title("FLIP at several times"),
+        study.caption("Mean FLIP of the scenes that were measured at several "
+                      "times; the other tables take the times that all "
+                      "encoders of a scene have.", len({r.scene for r in runs}),
+                      runs),
+        [Column("scene", left=True), Column("encoder", left=True)]
+        + [Column(f"{time:g} s") for time in columns],
+        stated=study.stated("FLIP"))
+    for (scene, encoder), found in sorted(at.items()):
+        table.rows.append(
+            [word(scene), spec(encoder, study.names)]
+            + [number(numpy.mean(found[t]) if t in found else None, DIGITS)
+               for t in columns])
     return table
 
 
@@ -86,7 +115,7 @@ def summary(study):
             f"{statistics.FLIP_TIE} FLIP) / losses.", len(figures.scenes)),
         columns, stated=study.stated("FLIP"))
     for encoder in sorted(figures.encoders, key=figures.mean):
-        row = [code(encoder), number(len(figures.row(encoder)), 0),
+        row = [spec(encoder, study.names), number(len(figures.row(encoder)), 0),
                number(figures.mean(encoder), DIGITS),
                number(ranks.get(encoder), 2)]
         for control in matrix.CONTROLS:

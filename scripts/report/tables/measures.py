@@ -3,8 +3,8 @@
 import numpy
 
 from report import matrix, statistics
-from report.table import (Column, NONE, Table, code, figure, interval, number,
-                          p_value, record_of, significant, word)
+from report.table import (Column, NONE, Table, figure, interval, number,
+                          p_value, record_of, significant, spec, word)
 from report.tables.flip import scene_table
 
 # Those that are compared with each other; higher is better for the second.
@@ -28,14 +28,9 @@ def by_scene(study):
         ("bytes", "Bytes a frame by scene", "Bytes of a frame as ANSI text.",
          study.bytes, lambda v: number(v, 0),
          ("geometric mean", study.bytes.geometric_mean))]
-    tables = []
-    for name, title, lead, figures, show, mean in shown:
-        if figures:
-            table = scene_table(
-                study.name(f"{name}-by-scene"), study.title(title),
-                study.caption(lead, len(figures.scenes)), figures, show, mean)
-            tables.append(table)
-    return tables
+    return [scene_table(study, f"{name}-by-scene", title, lead, figures,
+                        show, mean)
+            for name, title, lead, figures, show, mean in shown if figures]
 
 
 def ratios(study):
@@ -57,7 +52,7 @@ def ratios(study):
     for name, figures in (("MSE", study.metric("mse")), ("time", study.ms),
                           ("bytes", study.bytes)):
         for encoder in figures.encoders:
-            row = [word(name), code(encoder),
+            row = [word(name), spec(encoder, study.names),
                    number(len(figures.row(encoder)), 0)]
             for control in matrix.CONTROLS:
                 row += ratio_cells(figures, encoder, control)

@@ -1,7 +1,7 @@
 """Moving scenes: flicker with and without `temporal`, and the live mode."""
 
 from report import provenance
-from report.table import Column, Table, code, figure, number, word
+from report.table import Column, Table, figure, number, spec, word
 
 MEASURES = {
     "tde": ("TDE", lambda v: number(v, 4)),
@@ -70,7 +70,7 @@ def flicker(results):
         encoder, temporal = split_spec(run.encoder)
         table.rows.append(
             [word(run.scene), word("{} x {}".format(*run.data["grid"])),
-             code(encoder), word(temporal or "off")]
+             spec(encoder, results.names), word(temporal or "off")]
             + [show(run.value("temporal", name))
                for name, (_, show) in MEASURES.items()])
     return table
@@ -105,7 +105,7 @@ def effect(results):
         + [Column(heading) for heading, _ in MEASURES.values()])
     for base, run in pairs:
         encoder, temporal = split_spec(run.encoder)
-        row = [word(run.scene), code(encoder), word(temporal)]
+        row = [word(run.scene), spec(encoder, results.names), word(temporal)]
         for name in MEASURES:
             before, after = (r.value("temporal", name) for r in (base, run))
             known = before is not None and after is not None and before > 0
@@ -130,7 +130,7 @@ def live(results):
                                                     f[0].encoder)):
         frame = values.get("frame_ms", {})
         table.rows.append(
-            [word(run.scene), code(run.encoder),
+            [word(run.scene), spec(run.encoder, results.names),
              word("{} x {}".format(*run.data["grid"])),
              word(values.get("present", "–")), figure(values.get("fps"))]
             + [figure(frame.get(p)) for p in ("p50", "p95", "p99")]

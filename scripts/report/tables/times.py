@@ -4,30 +4,34 @@ import numpy
 
 from report import matrix, statistics
 from report.provenance import MOST_CV
-from report.table import (Cell, Column, NONE, Table, code, figure, interval,
-                          number, significant, word)
+from report.table import (Cell, Column, NONE, Table, figure, interval,
+                          number, significant, spec, word)
 from report.tables.flip import scene_table
 
 
 def stages(study):
-    """Every stage of every run: medians, spread and CPU time."""
+    """A frame of every run: median, spread, CPU time; medians by stage."""
     runs = sorted(study.timed, key=lambda r: (r.scene, r.time, r.encoder))
+    stages_ = [stage for stage in matrix.STAGES
+               if any(run.value("ms", stage) for run in runs)]
     table = Table(
-        study.name("times"), study.title("Times by stage"),
+        study.name("times"), study.title("Times"),
         study.caption(
-            "Milliseconds: median with its 95 % bootstrap interval, 95th "
-            "percentile, coefficient of variation (over "
-            f"{100 * MOST_CV:.0f} % marked: not to be compared), median of "
-            "the CPU time.", len({run.scene for run in runs}), runs),
+            "Milliseconds of a frame (planning, rendering, encoding): median "
+            "with its 95 % bootstrap interval, 95th percentile, coefficient "
+            f"of variation (over {100 * MOST_CV:.0f} % marked: not to be "
+            "compared), median of the CPU time; then the medians of the "
+            "stages.", len({run.scene for run in runs}), runs),
         [Column("scene", left=True), Column("encoder", left=True),
-         Column("stage", left=True), Column("runs"), Column("median [95 %]"),
-         Column("p95"), Column("CV"), Column("CPU")])
+         Column("runs"), Column("frame [95 %]"), Column("p95"), Column("CV"),
+         Column("CPU")] + [Column(stage) for stage in stages_])
     for run in runs:
-        for stage in matrix.STAGES:
-            times = run.value("ms", stage)
-            if times:
-                table.rows.append([word(scene_at(run)), code(run.encoder),
-                                   word(stage), *stage_cells(times)])
+        if matrix.frame_samples(run):
+            table.rows.append(
+                [word(scene_at(run)), spec(run.encoder, study.names),
+                 *frame_cells(run)]
+                + [figure(run.value("ms", stage, "median"))
+                   for stage in stages_])
     return table
 
 
@@ -35,13 +39,16 @@ def scene_at(run):
     return run.scene if run.time == 0 else f"{run.scene} at {run.time:g} s"
 
 
-def stage_cells(times):
-    restless = times["cv"] > MOST_CV
-    return [number(len(times["samples"]), 0),
-            interval(times["median"], times["lo"], times["hi"], significant),
-            figure(times["p95"]),
-            Cell(f"{100 * times['cv']:.1f} %", times["cv"], warn=restless),
-            figure(times.get("cpu_median"))]
+def frame_cells(run):
+    samples = matrix.frame_samples(run)
+    cpu = matrix.frame_samples(run, "cpu_samples")
+    variation = frame_cv(run)
+    return [number(len(samples), 0),
+            interval(*frame_interval(run), significant),
+            figure(float(numpy.percentile(samples, 95))),
+            Cell(f"{100 * variation:.1f} %", variation,
+                 warn=variation > MOST_CV),
+            figure(float(numpy.median(cpu)) if cpu else None)]
 
 
 def frames(study):
@@ -50,12 +57,11 @@ def frames(study):
     unsteady = {(run.encoder, run.scene) for run in study.timed
                 if frame_cv(run) > MOST_CV}
     table = scene_table(
-        study.name("frame-times-by-scene"), study.title("Time of a frame"),
-        study.caption(
-            "Median milliseconds of a frame: planning, rendering and "
-            "encoding; marked where the coefficient of variation is over "
-            f"{100 * MOST_CV:.0f} %.", len(figures.scenes), study.timed),
-        figures, figure, ("geometric mean", figures.geometric_mean))
+        study, "frame-times-by-scene", "Time of a frame", "Median "
+        "milliseconds of a frame: planning, rendering and encoding; marked "
+        "where the coefficient of variation is over "
+        f"{100 * MOST_CV:.0f} %.", figures, figure,
+        ("geometric mean", figures.geometric_mean), study.timed)
     for encoder, row in zip(figures.encoders, table.rows):
         for scene, cell in zip(figures.scenes, row[1:]):
             cell.warn = (encoder, scene) in unsteady
@@ -102,7 +108,7 @@ def rays(study):
         total = sum(counts.values())
         ms = seconds.get(run.work)
         table.rows.append(
-            [word(scene_at(run)), code(run.encoder)]
+            [word(scene_at(run)), spec(run.encoder, study.names)]
             + [number(counts[k], 0) if k in counts else word(NONE)
                for k in kinds]
             + [number(total, 0), figure(total / ms / 1e3 if ms else None)])
