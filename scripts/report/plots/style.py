@@ -58,7 +58,7 @@ def legend_above(axes, columns):
 def settle(figure):
     """Lays a figure out for good: drawn again, it stays the same."""
     if figure.get_layout_engine() is not None:
-        figure.canvas.draw()
+        figure.draw_without_rendering()
         figure.set_layout_engine("none")
 
 

@@ -36,14 +36,17 @@ def draw_front(axes, points, front, **style_of_line):
 
 
 def draw_points(axes, encoders, points, bars, front, size=22):
+    """Dots, diamonds for the controls, and bars; returns the dots' colors."""
     colors = kind_colors(encoders, front)
-    for index, ((x, y), bar) in enumerate(zip(points, bars)):
-        axes.errorbar(x, y, [[bar[0]], [bar[1]]], ecolor=colors[index],
+    controls = [encoder in matrix.CONTROLS for encoder in encoders]
+    for color, control in dict.fromkeys(zip(colors, controls)):
+        own = [i for i, kind in enumerate(zip(colors, controls))
+               if kind == (color, control)]
+        x, y = zip(*[points[i] for i in own])
+        axes.scatter(x, y, size * (1.3 if control else 1), color=color,
+                     zorder=3, linewidths=0, marker="D" if control else "o")
+        axes.errorbar(x, y, list(zip(*[bars[i] for i in own])), ecolor=color,
                       elinewidth=0.8, fmt="none", alpha=0.5, zorder=2)
-        control = encoders[index] in matrix.CONTROLS
-        axes.scatter(x, y, size * (1.3 if control else 1),
-                     color=colors[index], zorder=3, linewidths=0,
-                     marker="D" if control else "o")
     return colors
 
 
