@@ -93,8 +93,8 @@ def page_data(results, store):
     times = {work: mean_value(runs, matrix.frame_ms)
              for work, runs in blocks.items()}
     order = sorted(found, key=lambda key: (views.index(key[0]), *key[1:]))
-    rows = [page_row(found[key], views.index(key[0]), times, results.names, store)
-            for key in order]
+    rows = [page_row(found[key], views.index(key[0]), times, results.names,
+                     store) for key in order]
     characters = store.alphabet.characters()
     outlines = shapes.outlines(characters)
     several = len({view.reference for view in views}) > 1
