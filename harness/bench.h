@@ -2,6 +2,7 @@
 /// The main job: encoders on a scene, rendered, encoded, timed and scored.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,7 +23,13 @@ struct BenchRequest {
   ColorDepth depth = ColorDepth::kTruecolor;
   DecodeOptions decode;
   std::string reference;  ///< As ChooseReference takes it.
-  int repeat = 10;        ///< Timed runs of each encoder.
+  /// Timed runs of each encoder; 0: one run that is not timed.
+  int repeat = 10;
+  bool score = true;  ///< Whether metrics are computed, and a reference read.
+  /// Whether errors are decomposed and compared with their bounds, which takes
+  /// a converged image of our own.
+  bool decompose = false;
+  std::filesystem::path cache = {};  ///< Of measure/cache.h; empty: none.
 };
 
 /// What an encoder drew.
@@ -37,13 +44,14 @@ struct BenchPicture {
 struct BenchResult {
   RunRecord record;
   std::vector<BenchPicture> pictures;
-  Image reference;  ///< sRGB-encoded, rounded to 8 bits, at its own size.
+  /// sRGB-encoded, rounded to 8 bits, at its own size; empty without score.
+  Image reference;
   std::vector<std::string> notes;  ///< What a user should know, if anything.
 };
 
-/// Runs the job. Times follow the protocol: three warm-up rounds, then
-/// `repeat` rounds in which the encoders take turns in a random order that
-/// depends on nothing but the round.
+/// Runs the job. Record::runs carry their rays and bytes. Times follow the
+/// protocol: three warm-up rounds, then `repeat` rounds in which the encoders
+/// take turns in a random order that depends on nothing but the round.
 /// @param progress called with the finished share of the timed runs.
 Result<BenchResult> Bench(
     const BenchRequest& request,

@@ -2,6 +2,7 @@
 
 #include "core/image/io.h"
 #include "harness/lookup.h"
+#include "harness/measure/converged_image.h"
 #include "harness/provenance.h"
 #include "harness/rasters.h"
 
@@ -45,17 +46,12 @@ DefaultReference DefaultChoice(const PreparedScene& scene) {
   return choice;
 }
 
-/// The scene's own depth and no seed: the picture that is to be approached
-/// does not change with the options of a run.
 Result<ReferencePicture> RenderSelf(const PreparedScene& scene,
-                                    PixelSize raster) {
-  RenderOptions options;
-  options.time = scene.options.time;
-  options.threads = scene.options.threads;
-  options.integrator = scene.options.integrator;
-  options.spp = kSelfReferenceSpp;
-  RTB_ASSIGN_OR_RETURN(const Image linear,
-                       RenderImage(*scene.backend, raster, options));
+                                    PixelSize raster,
+                                    const std::filesystem::path& cache) {
+  RTB_ASSIGN_OR_RETURN(
+      const Image linear,
+      ConvergedImage(scene, scene.options.time, raster, cache));
   return ReferencePicture{
       DisplayEncoded(linear, scene.exposure, true), "self", {}};
 }
@@ -87,15 +83,16 @@ Result<std::filesystem::path> CommittedFile(const std::string& renderer,
 
 Result<ReferencePicture> ChooseReference(const std::string& choice,
                                          const PreparedScene& scene,
-                                         PixelSize raster) {
+                                         PixelSize raster,
+                                         const std::filesystem::path& cache) {
   if (choice.empty()) {
     const DefaultReference chosen = DefaultChoice(scene);
     RTB_ASSIGN_OR_RETURN(ReferencePicture picture,
-                         ChooseReference(chosen.name, scene, raster));
+                         ChooseReference(chosen.name, scene, raster, cache));
     picture.notes = chosen.notes;
     return picture;
   }
-  if (choice == "self") return RenderSelf(scene, raster);
+  if (choice == "self") return RenderSelf(scene, raster, cache);
   ReferencePicture picture;
   picture.name = choice;
   picture.file = choice;

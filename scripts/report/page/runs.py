@@ -115,7 +115,14 @@ def page_data(results, store):
 
 
 def first_row(rows):
-    """The row that is shown first: the best of those with pictures."""
-    shown = [i for i, row in enumerate(rows)
-             if row["cells"] and row["reference"] and row["setting"] == 0]
-    return min(shown, key=lambda i: rows[i]["values"]["flip"], default=0)
+    """The row that is shown first, of those with pictures: the best of a
+    scene that is neither the easiest nor the hardest."""
+    best = {}
+    for index, row in enumerate(rows):
+        if not row["cells"] or not row["reference"] or row["setting"] != 0:
+            continue
+        scene, flip = row["values"]["scene"], row["values"]["flip"]
+        if scene not in best or flip < best[scene][0]:
+            best[scene] = flip, index
+    order = sorted(best.values())
+    return order[(len(order) - 1) // 2][1] if order else 0
