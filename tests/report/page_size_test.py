@@ -25,10 +25,10 @@ class PageSizeTest(ReportTest):
         command.write(records.load(self.folder / "sweep"), out, ("html",))
         page = out / "index.html"
         self.assertLess(page.stat().st_size, MOST_BYTES)
-        # All 368 runs have their pictures.
+        # All 736 runs, of two grids, have their pictures.
         text = page.read_text(encoding="utf-8")
-        self.assertEqual(text.count('"cells":"b'), 16 * 23)
-        self.assertEqual(text.count('"flip":"b'), 16 * 23)
+        self.assertEqual(text.count('"cells":"b'), 2 * 16 * 23)
+        self.assertEqual(text.count('"flip":"b'), 2 * 16 * 23)
         driver = browser.start()
         self.addCleanup(driver.quit)
         driver.get("about:blank")

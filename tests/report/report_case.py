@@ -8,7 +8,6 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-DATA = ROOT / "tests" / "data" / "report"
 MODULES = ("numpy", "scipy", "matplotlib", "PIL", "jinja2")
 
 sys.path.insert(0, str(ROOT / "scripts"))

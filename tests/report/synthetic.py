@@ -206,33 +206,38 @@ def heat(pixels, cells_wide):
     return numpy.stack([value, value // 3, 128 - value // 3], axis=-1)
 
 
-def thesis(folder, scenes=16, encoders=23, grid=(120, 40)):
+def thesis(folder, scenes=16, encoders=23, grids=((120, 40), (60, 20))):
     """A suite of the size of the thesis' main comparison, with pictures."""
     names = ["half", "tiv", "braille"] + [f"encoder{i}:option=value"
                                           for i in range(encoders - 3)]
-    suite = Suite(Path(folder), grid)
-    size = 8 * grid[0], 16 * grid[1]
+    suite = Suite(Path(folder))
+    for suite.grid in grids:
+        for number in range(scenes):
+            thesis_scene(suite, number, names)
+
+
+def thesis_scene(suite, number, names):
+    """All encoders on one scene, and their times."""
+    scene, grid = f"scene-{number:02}", suite.grid
     octants = "".join(chr(0x1CD00 + i) for i in range(230))
-    for number in range(scenes):
-        scene = f"scene-{number:02}"
-        pixels = scene_pixels(number, size)
-        reference = suite.write_jpeg(f"reference-{scene}.jpg", pixels, 90)
-        map_ = suite.write_jpeg(f"map-{scene}.jpg", heat(pixels, grid[0]))
-        times = {}
-        for index, name in enumerate(names):
-            flip = (0.05 + 0.01 * number) * (1 + 0.05 * index)
-            cells = cells_of(pixels, grid, GLYPHS.get(name, octants), index)
-            code = f"quality-{number:02}{index:02}.0"
-            suite.quality(
-                scene, name, flip, rays=2.0 + index, bytes_per_frame=90000,
-                pictures={"cells": suite.write_grid(f"{code}.cells.json.gz",
-                                                    cells),
-                          "flip": suite.copy_picture(map_, f"{code}.flip.jpg"),
-                          "reference": reference})
-            times[name] = {"plan": [0.1] * 30, "encode": [1.0 + index] * 30,
-                           "render": [2.0 + 0.01 * k for k in range(30)]}
-        suite.timing(scene, times)
-    return suite
+    pixels = scene_pixels(number, (8 * grid[0], 16 * grid[1]))
+    code = f"{scene}-{grid[0]}"
+    reference = suite.write_jpeg(f"reference-{code}.jpg", pixels, 90)
+    map_ = suite.write_jpeg(f"map-{code}.jpg", heat(pixels, grid[0]))
+    times = {}
+    for index, name in enumerate(names):
+        flip = (0.05 + 0.01 * number) * (1 + 0.05 * index)
+        cells = cells_of(pixels, grid, GLYPHS.get(name, octants), index)
+        code = f"quality-{grid[0]}-{number:02}{index:02}.0"
+        suite.quality(
+            scene, name, flip, rays=2.0 + index, bytes_per_frame=90000,
+            pictures={"cells": suite.write_grid(f"{code}.cells.json.gz",
+                                                cells),
+                      "flip": suite.copy_picture(map_, f"{code}.flip.jpg"),
+                      "reference": reference})
+        times[name] = {"plan": [0.1] * 30, "encode": [1.0 + index] * 30,
+                       "render": [2.0 + 0.01 * k for k in range(30)]}
+    suite.timing(scene, times)
 
 
 if __name__ == "__main__":

@@ -70,7 +70,9 @@ def note(runs):
 
 def page_row(runs, setting, times, names, store):
     """One row: its values, and the ids of its pictures."""
-    runs = sorted(runs, key=lambda run: run.seed)
+    # The pictures of one seed: the lowest of those that have any.
+    runs = sorted(runs, key=lambda run: (not run.data.get("pictures"),
+                                         run.seed))
     first = runs[0]
     files = first.data.get("pictures") or {}
     reference = store.picture(files.get("reference"), "reference")
