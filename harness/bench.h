@@ -9,7 +9,9 @@
 #include "encoders/cell_grid.h"
 #include "encoders/color_depth.h"
 #include "encoders/decode.h"
+#include "harness/contest.h"
 #include "harness/prepared_scene.h"
+#include "harness/reference_choice.h"
 #include "harness/results/run_record.h"
 
 namespace rtb {
@@ -48,5 +50,28 @@ struct BenchResult {
 Result<BenchResult> Bench(
     const BenchRequest& request,
     const std::function<void(double share, const std::string& what)>& progress);
+
+/// @name The parts of the job, for those who time and score apart.
+/// @{
+
+/// What the request's contestants draw.
+ContestTask TaskOf(const BenchRequest& request);
+
+/// What a record says of a contestant that has run: no metrics, its times if
+/// any were taken, the decoded grid's raster.
+RunResult DescribeRun(const BenchRequest& request, const PreparedScene& scene,
+                      const Contestant& contestant);
+
+/// Decodes and scores what a contestant drew, against the result's reference;
+/// adds its run and its picture.
+Status ScoreContestant(const BenchRequest& request, const PreparedScene& scene,
+                       Contestant& contestant, BenchResult& result);
+
+/// What was done with what. The pictures say which fonts were opened.
+Result<Manifest> MakeManifest(const BenchRequest& request,
+                              const PreparedScene& scene,
+                              const ReferencePicture& reference,
+                              const std::vector<BenchPicture>& pictures);
+/// @}
 
 }  // namespace rtb
