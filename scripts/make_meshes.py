@@ -10,6 +10,8 @@ import argparse
 import math
 from pathlib import Path
 
+from picture import noise_at
+
 ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -104,7 +106,36 @@ def star():
     return points, triangles
 
 
+def leaf(place, heading, tilt, length):
+    """A kite of four points that hangs from `place`, and its triangles."""
+    along = [math.cos(heading) * math.cos(tilt), math.sin(tilt),
+             math.sin(heading) * math.cos(tilt)]
+    across = [-math.sin(heading), 0.0, math.cos(heading)]
+    corners = [(0, 0), (0.45, 0.22), (1, 0), (0.45, -0.22)]
+    points = [[p + length * (u * a + v * b)
+               for p, a, b in zip(place, along, across)] for u, v in corners]
+    return points, [[0, 1, 2], [0, 2, 3]]
+
+
+def bush(leaves=1200):
+    """Leaves scattered through a ball of radius 1, most of them near its
+    surface."""
+    points, triangles = [], []
+    for i in range(leaves):
+        a, b, c, d, e = (noise_at(i, k, 7) for k in range(5))
+        distance, height = a ** 0.2, 2 * b - 1
+        angle, level = 2 * math.pi * c, math.sqrt(1 - height * height)
+        place = [distance * level * math.cos(angle), distance * height,
+                 distance * level * math.sin(angle)]
+        corners, faces = leaf(place, 2 * math.pi * d, 1.6 * e - 1.1,
+                              0.12 + 0.1 * noise_at(i, 5, 7))
+        triangles += [[len(points) + k for k in face] for face in faces]
+        points += corners
+    return points, triangles
+
+
 MESHES = {
+    "bush.obj": ("A ball of leaves", bush),
     "knot.obj": ("A torus knot", lambda: tube(knot, 180, 16, 0.22)),
     "ring.obj": ("A torus of radii 1 and 0.3", lambda: tube(ring, 72, 24, 0.3)),
     "star.obj": ("A cube with a spike on each face, a cage to subdivide",
