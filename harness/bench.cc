@@ -5,6 +5,7 @@
 
 #include "harness/cell_shape.h"
 #include "harness/contest.h"
+#include "harness/error_maps.h"
 #include "harness/inputs.h"
 #include "harness/rasters.h"
 #include "harness/reference_choice.h"
@@ -93,8 +94,9 @@ Status ScoreContestant(const BenchRequest& request, const PreparedScene& scene,
       MatchRasters(result.reference, picture.decoded, "--reference"));
   run.raster = {pair.test.width(), pair.test.height()};
   run.reference_raster = pair.reference_size;
-  RTB_ASSIGN_OR_RETURN(run.metrics,
-                       Score(pair.reference, pair.test, scene.options.threads));
+  const MetricInput input(pair.reference, pair.test, scene.options.threads);
+  run.metrics = ComputeMetrics(input);
+  if (request.flip_maps) picture.flip = FlipPicture(input);
   result.record.runs.push_back(std::move(run));
   result.pictures.push_back(std::move(picture));
   return {};

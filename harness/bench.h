@@ -23,8 +23,9 @@ struct BenchRequest {
   GridSize grid{120, 40};
   ColorDepth depth = ColorDepth::kTruecolor;
   DecodeOptions decode;
-  std::string reference;  ///< As ChooseReference takes it.
-  int repeat = 10;        ///< Timed runs of each encoder.
+  std::string reference;   ///< As ChooseReference takes it.
+  int repeat = 10;         ///< Timed runs of each encoder.
+  bool flip_maps = false;  ///< Whether pictures come with their FLIP maps.
 };
 
 /// What an encoder drew.
@@ -32,6 +33,7 @@ struct BenchPicture {
   std::string encoder;  ///< Its SPEC.
   CellGrid grid;
   Image decoded;  ///< sRGB-encoded, before it is brought to a common size.
+  Image flip;     ///< Its FLIP map as a picture, where it was asked for.
 };
 
 /// The record (its conditions are left to the caller) and the pictures, one

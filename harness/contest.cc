@@ -1,23 +1,16 @@
 #include "harness/contest.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "core/math/random.h"
+#include "harness/encoder_version.h"
 #include "harness/run_encoder.h"
 
 namespace rtb {
 namespace {
 
 constexpr int kWarmUps = 3;
-
-std::string VersionOf(const EncoderSpec& spec) {
-  const auto name = [](const EncoderEntry& entry) { return entry.info.name; };
-  const auto entry = std::ranges::find(EncoderEntries(), spec.name, name);
-  RTB_CHECK(entry != EncoderEntries().end());
-  return entry->info.version;
-}
 
 /// The order of one round: a Fisher-Yates shuffle.
 std::vector<std::size_t> RoundOrder(std::size_t count, int round) {
@@ -43,7 +36,7 @@ void AddTime(const Cost& cost, StageTimes& times) {
 Result<Contestant> MakeContestant(const EncoderSpec& spec) {
   Contestant contestant;
   contestant.spec = spec.text;
-  contestant.version = VersionOf(spec);
+  contestant.version = EncoderVersion(spec);
   RTB_ASSIGN_OR_RETURN(contestant.encoder, MakeEncoder(spec));
   return contestant;
 }

@@ -19,7 +19,7 @@ namespace rtb {
 /// An encoder with what was measured of it.
 struct Contestant {
   std::string spec;
-  std::string version;  ///< Of the library behind the encoder, if any.
+  std::string version;  ///< As EncoderVersion says.
   std::unique_ptr<Encoder> encoder;
   Encoding encoding;  ///< Of its first run.
   StageTimes plan{"plan", {}, {}};
