@@ -30,10 +30,10 @@ class PathTracer {
 
   /// One sample of the radiance along an eye ray. Counts the rays it traces.
   RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) const {
-    Path path{eye.ray, Rgb(1), Rgb(0), 0, true};
+    Path path{eye.ray, Rgb(1), Rgb(0), 0, true, false};
     ++counts->camera;
     for (int depth = 0; Extend(eye, depth, &path, counts); ++depth) {
-      ++counts->secondary;
+      CountBounce(path, counts);
     }
     return path.radiance;
   }
@@ -45,10 +45,21 @@ class PathTracer {
     Rgb radiance;   ///< Gathered so far.
     float pdf;      ///< Of the ray's direction, per solid angle.
     bool specular;  ///< No light can be sampled in its stead.
+    bool crossed;   ///< Goes on behind the surface that it left.
   };
 
   /// Sets of dimensions of one bounce.
   enum DimensionSet : std::uint32_t { kScatter, kLight, kSetsPerBounce };
+
+  RTB_HD static void CountBounce(const Path& path, RayCounts* counts) {
+    if (path.crossed) {
+      ++counts->refraction;
+    } else if (path.specular) {
+      ++counts->reflection;
+    } else {
+      ++counts->scattered;
+    }
+  }
 
   RTB_HD static V4f Uniforms(const EyeSample& eye, int depth,
                              DimensionSet set) {
@@ -153,6 +164,7 @@ class PathTracer {
     path->throughput *= bounce.weight;
     path->pdf = bounce.pdf;
     path->specular = bounce.delta;
+    path->crossed = bounce.direction.dot(at.geometric) < 0;
     path->ray = Ray{};
     path->ray.origin = LeavingOrigin(at.point, bounce.direction);
     path->ray.direction = bounce.direction;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 
 #include "core/base/parallel.h"
 #include "core/math/random.h"
@@ -70,17 +70,17 @@ class PlanRenderer {
   Fragments Render(const MakeIntegrator& make_integrator,
                    RayCounts* counts) const {
     Fragments fragments(plan_);
-    std::atomic<std::uint64_t> camera{0}, shadow{0}, secondary{0};
+    RayCounts all;
+    std::mutex guard;
     if (options_.spp > 1) fragments.variances.resize(plan_.samples());
     ParallelFor(plan_.entries(), kCellsPerTask, options_.threads,
                 [&](int begin, int end) {
                   const RayCounts own =
                       RenderEntries(make_integrator, begin, end, &fragments);
-                  camera += own.camera;
-                  shadow += own.shadow;
-                  secondary += own.secondary;
+                  const std::lock_guard lock(guard);
+                  all += own;
                 });
-    *counts = {camera, shadow, secondary};
+    *counts = all;
     return fragments;
   }
 

@@ -4,13 +4,32 @@
 
 #include <cstdint>
 
+#include "core/base/host_device.h"
+
 namespace rtb {
 
 /// Rays traced, by kind.
 struct RayCounts {
   std::uint64_t camera = 0;
+  std::uint64_t reflection = 0;  ///< Mirrored, or glossily reflected (whitted).
+  std::uint64_t refraction = 0;
+  std::uint64_t scattered = 0;  ///< In a direction drawn from a BSDF (path).
   std::uint64_t shadow = 0;
-  std::uint64_t secondary = 0;  ///< Reflection and refraction rays.
+
+  RTB_HD std::uint64_t secondary() const {
+    return reflection + refraction + scattered;
+  }
+  RTB_HD std::uint64_t total() const { return camera + secondary() + shadow; }
+
+  RTB_HD RayCounts& operator+=(const RayCounts& other) {
+    camera += other.camera;
+    reflection += other.reflection;
+    refraction += other.refraction;
+    scattered += other.scattered;
+    shadow += other.shadow;
+    return *this;
+  }
+  bool operator==(const RayCounts&) const = default;
 };
 
 }  // namespace rtb

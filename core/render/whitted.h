@@ -36,11 +36,10 @@ class Whitted {
   /// Radiance along an eye ray. Counts the rays that it traces.
   RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) {
     Rgb radiance(0);
-    Push({eye.ray, Rgb(1), 0, 1, false});
-    ++counts->camera;
+    Push({eye.ray, Rgb(1), 0, 1, false, false});
     while (size_ > 0) {
       const Pending pending = stack_[--size_];
-      if (pending.depth > 0) ++counts->secondary;
+      Count(pending, counts);
       radiance += pending.weight * Shade(eye, pending, counts);
     }
     return radiance;
@@ -57,7 +56,18 @@ class Whitted {
     int depth;
     std::uint32_t branch;  ///< Which of the eye ray's descendants it is.
     bool rough;  ///< Stands for a lobe that the lights were evaluated for.
+    bool refracted;
   };
+
+  RTB_HD static void Count(const Pending& pending, RayCounts* counts) {
+    if (pending.depth == 0) {
+      ++counts->camera;
+    } else if (pending.refracted) {
+      ++counts->refraction;
+    } else {
+      ++counts->reflection;
+    }
+  }
 
   RTB_HD void Push(const Pending& pending) {
     if (pending.depth > max_depth_ || pending.weight == Rgb(0)) return;
@@ -66,13 +76,15 @@ class Whitted {
 
   RTB_HD void PushBounce(const Pending& from, const Interaction& at,
                          const V3f& direction, const Rgb& weight,
-                         std::uint32_t child, bool rough = false) {
+                         std::uint32_t child, bool rough = false,
+                         bool refracted = false) {
     // Up to 16 children each; the hash of a long line of them may wrap.
     Pending next{{},
                  from.weight * weight,
                  from.depth + 1,
                  from.branch * 16 + child,
-                 rough};
+                 rough,
+                 refracted};
     next.ray.origin = LeavingOrigin(at.point, direction);
     next.ray.direction = direction;
     Push(next);
@@ -204,7 +216,7 @@ class Whitted {
     PushMirrored(pending, at, Rgb(f));
     if (f < 1) {
       PushBounce(pending, at, Refract(d, at.normal, eta),
-                 at.bsdf.color * (1 - f), 1);
+                 at.bsdf.color * (1 - f), 1, false, true);
     }
   }
 

@@ -8,21 +8,32 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/manifest.h"
+#include "core/render/ray_counts.h"
 #include "core/render/sample_plan.h"
 #include "harness/metrics/metric.h"
 #include "harness/pixel_size.h"
+#include "harness/results/bound.h"
+#include "harness/results/decomposition.h"
+#include "harness/results/failure.h"
+#include "harness/results/live_result.h"
+#include "harness/results/pictures.h"
+#include "harness/results/temporal_result.h"
+#include "harness/results/unit.h"
 
 namespace rtb {
 
 /// Version of the records' form; to be raised when a key changes its meaning.
 inline constexpr int kRecordSchema = 1;
 
-/// Repeated timings of one stage of a run (`plan`, `render`, `encode`: see
-/// TimedEncoding), in milliseconds and in the order they were taken.
+/// Repeated timings of one stage of a run, in milliseconds and in the order
+/// they were taken: `load` (the scene's file), `build` (the acceleration
+/// structure), `plan`, `render`, `encode` (see TimedEncoding), `decode`,
+/// `emit` (the grid as ANSI text).
 struct StageTimes {
   std::string stage;
   std::vector<double> samples;      ///< Wall time; at least one.
@@ -41,6 +52,15 @@ struct RunResult {
   std::vector<StageTimes> times;
   std::vector<MetricValue> metrics;
   std::string encoder_version = {};  ///< Of a library that chose; empty = ours.
+  std::optional<RayCounts> rays = {};  ///< Of one frame, by kind.
+  /// Bytes of the grid as ANSI text.
+  std::optional<std::uint64_t> bytes_per_frame = {};
+  RunPictures pictures = {};
+  /// None where it was not asked for, or the glyphs are not known.
+  std::optional<BoundResult> bound = {};
+  std::optional<Decomposition> decomposition = {};
+  std::optional<TemporalResult> temporal = {};  ///< Of moving scenes.
+  std::optional<LiveResult> live = {};          ///< Of live sessions.
 };
 
 /// A file that the work depends on.
@@ -91,6 +111,8 @@ struct RunRecord {
   Manifest manifest;
   std::vector<RunResult> runs;
   RunConditions conditions;
+  std::optional<Unit> unit = {};           ///< Of a sweep.
+  std::optional<RunFailure> failure = {};  ///< Then there are no runs.
 };
 
 /// The times of a stage, or nullptr.

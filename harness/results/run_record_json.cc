@@ -1,6 +1,8 @@
 #include "harness/results/run_record_json.h"
 
+#include "harness/results/measures_json.h"
 #include "harness/results/statistics.h"
+#include "harness/results/unit_json.h"
 
 namespace rtb {
 namespace {
@@ -44,22 +46,46 @@ Json ToJson(const Manifest& manifest) {
           {"inputs", inputs}};
 }
 
-Json ToJson(const RunResult& run) {
+Json TimesOf(const RunResult& run) {
   Json ms = Json::object();
   for (const StageTimes& times : run.times) {
     ms[times.stage] = TimesToJson(times);
   }
+  if (run.live) ms["live"] = rtb::ToJson(*run.live);
+  return ms;
+}
+
+/// Adds the measures that a run carries.
+void AddMeasures(const RunResult& run, Json& object) {
+  if (run.rays) object["rays"] = rtb::ToJson(*run.rays);
+  if (run.bytes_per_frame) object["bytes_per_frame"] = *run.bytes_per_frame;
+  if (run.pictures != RunPictures{}) {
+    object["pictures"] = rtb::ToJson(run.pictures);
+  }
+  if (run.bound) {
+    object["bound"] = rtb::ToJson(*run.bound);
+  } else if (run.decomposition) {
+    object["bound"] = nullptr;
+  }
+  if (run.decomposition) {
+    object["decomposition"] = rtb::ToJson(*run.decomposition);
+  }
+  if (run.temporal) object["temporal"] = rtb::ToJson(*run.temporal);
+}
+
+Json ToJson(const RunResult& run) {
   Json object = {{"scene", run.scene},
                  {"encoder", run.encoder},
                  {"grid", Json::array({run.grid.columns, run.grid.rows})},
                  {"rays_per_cell", run.rays_per_cell},
                  {"raster", ToJson(run.raster)},
                  {"reference_raster", ToJson(run.reference_raster)},
-                 {"ms", ms},
+                 {"ms", TimesOf(run)},
                  {"metrics", MetricsToJson(run.metrics)}};
   if (!run.encoder_version.empty()) {
     object["encoder_version"] = run.encoder_version;
   }
+  AddMeasures(run, object);
   return object;
 }
 
@@ -104,10 +130,13 @@ Json TimesToJson(const StageTimes& times) {
 Json RecordToJson(const RunRecord& record) {
   Json runs = Json::array();
   for (const RunResult& run : record.runs) runs.push_back(ToJson(run));
-  return {{"schema", kRecordSchema},
-          {"manifest", ToJson(record.manifest)},
-          {"runs", runs},
-          {"volatile", ToJson(record.conditions)}};
+  Json object = {{"schema", kRecordSchema}};
+  if (record.unit) object["unit"] = ToJson(*record.unit);
+  if (record.failure) object["failure"] = ToJson(*record.failure);
+  object["manifest"] = ToJson(record.manifest);
+  object["runs"] = runs;
+  object["volatile"] = ToJson(record.conditions);
+  return object;
 }
 
 std::string FormatRecord(const RunRecord& record) {

@@ -2,18 +2,15 @@
 /// The JSON form of RunRecord: results/record.schema.json.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
+#include "harness/results/json.h"
 #include "harness/results/run_record.h"
 
 namespace rtb {
-
-/// JSON whose keys keep their order, so that equal data gives equal bytes.
-using Json = nlohmann::ordered_json;
 
 /// `{"flip": 0.1, "psnr": null, ...}`; undefined values are null.
 Json MetricsToJson(std::span<const MetricValue> metrics);

@@ -1,4 +1,6 @@
+#include "harness/results/measures_json.h"
 #include "harness/results/run_record_json.h"
+#include "harness/results/unit_json.h"
 
 namespace rtb {
 namespace {
@@ -52,6 +54,25 @@ StageTimes ToTimes(const std::string& stage, const Json& json) {
   return times;
 }
 
+/// Reads `key`, where it is there and not null, by `read`.
+template <class T, class Read>
+void ReadOptional(const Json& json, const char* key, Read read,
+                  std::optional<T>& value) {
+  const auto found = json.find(key);
+  if (found != json.end() && !found->is_null()) value = read(*found);
+}
+
+void ReadMeasures(const Json& json, RunResult& run) {
+  const auto number = [](const Json& n) { return n.get<std::uint64_t>(); };
+  ReadOptional(json, "rays", ToRayCounts, run.rays);
+  ReadOptional(json, "bytes_per_frame", number, run.bytes_per_frame);
+  if (json.contains("pictures")) run.pictures = ToPictures(json["pictures"]);
+  ReadOptional(json, "bound", ToBound, run.bound);
+  ReadOptional(json, "decomposition", ToDecomposition, run.decomposition);
+  ReadOptional(json, "temporal", ToTemporal, run.temporal);
+  ReadOptional(json.at("ms"), "live", ToLive, run.live);
+}
+
 RunResult ToRun(const Json& json) {
   RunResult run;
   json.at("scene").get_to(run.scene);
@@ -63,12 +84,13 @@ RunResult ToRun(const Json& json) {
   run.raster = ToSize(json.at("raster"));
   run.reference_raster = ToSize(json.at("reference_raster"));
   for (const auto& [stage, times] : json.at("ms").items()) {
-    run.times.push_back(ToTimes(stage, times));
+    if (stage != "live") run.times.push_back(ToTimes(stage, times));
   }
   for (const auto& [name, value] : json.at("metrics").items()) {
     run.metrics.push_back({name, value.is_null() ? std::optional<double>()
                                                  : value.get<double>()});
   }
+  ReadMeasures(json, run);
   return run;
 }
 
@@ -92,6 +114,8 @@ Result<RunRecord> ToRecord(const Json& json, const std::string& place) {
                          "make it anew with this version of the program"));
   }
   RunRecord record;
+  ReadOptional(json, "unit", ToUnit, record.unit);
+  ReadOptional(json, "failure", ToFailure, record.failure);
   record.manifest = ToManifest(json.at("manifest"));
   for (const Json& run : json.at("runs")) record.runs.push_back(ToRun(run));
   record.conditions = ToConditions(json.at("volatile"));

@@ -27,9 +27,9 @@ void Render(benchmark::State& state, const std::string& name) {
     benchmark::DoNotOptimize(*fragments);
   }
   const RayCounts rays = bench->backend->ray_counts();
-  state.counters["rays_per_second"] = benchmark::Counter(
-      static_cast<double>(rays.camera + rays.shadow + rays.secondary),
-      benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["rays_per_second"] =
+      benchmark::Counter(static_cast<double>(rays.total()),
+                         benchmark::Counter::kIsIterationInvariantRate);
 }
 
 std::vector<std::string> SceneNames() {

@@ -116,7 +116,29 @@ TEST(BackendTest, CountsRaysByKind) {
   ASSERT_TRUE(backend->Render(PixelPlan(10, 10), {}).has_value());
   EXPECT_EQ(backend->ray_counts().camera, 100u);
   EXPECT_EQ(backend->ray_counts().shadow, 100u);
-  EXPECT_EQ(backend->ray_counts().secondary, 0u);
+  EXPECT_EQ(backend->ray_counts().secondary(), 0u);
+}
+
+// A glass pane before a black sky: each eye ray is reflected and refracted at
+// the surface, and the refracted one meets nothing behind it.
+TEST(BackendTest, TellsReflectionFromRefraction) {
+  SceneBuilder b;
+  b.Add(Plane{V3d(0, 0, -1), V3d(0, 0, 1)}, b.Add(Dielectric{}));
+  auto backend = MakeBackend("embree", b.scene).value();
+  ASSERT_TRUE(backend->Render(PixelPlan(10, 10), {}).has_value());
+  EXPECT_EQ(backend->ray_counts(), (RayCounts{100, 100, 100, 0, 0}));
+  EXPECT_EQ(backend->ray_counts().total(), 300u);
+  RenderOptions path;
+  path.integrator = "path";
+  path.spp = 16;
+  ASSERT_TRUE(backend->Render(PixelPlan(10, 10), path).has_value());
+  // The path tracer follows one of the two: the reflected one in 4 % of the
+  // rays or a little more (Fresnel's equations, index 1.5).
+  const RayCounts counts = backend->ray_counts();
+  EXPECT_EQ(counts.reflection + counts.refraction, 1600u);
+  EXPECT_GT(counts.reflection, 1600u / 100);
+  EXPECT_LT(counts.reflection, 1600u / 10);
+  EXPECT_EQ(counts.scattered, 0u);
 }
 
 TEST(BackendTest, TimeMovesTheScene) {

@@ -72,6 +72,7 @@ TEST(RunRecordJsonTest, HasTheFormOfTheCommittedRecord) {
 TEST(RunRecordJsonTest, HasTheKeysOfTheSchema) {
   const KeyChecker checker(Json::parse(ReadText("results/record.schema.json")));
   checker.Check(RecordToJson(SampleRecord()));
+  checker.Check(RecordToJson(SampleFailure()));
 }
 
 TEST(RunRecordJsonTest, SumsUpTimes) {
@@ -123,6 +124,42 @@ TEST(ParseRecordTest, ReadsWhatWasWritten) {
   const auto record = ParseRecord(text, "here");
   ASSERT_TRUE(record.has_value()) << record.error().ToString();
   EXPECT_EQ(FormatRecord(*record), text);
+}
+
+TEST(ParseRecordTest, ReadsEveryMeasure) {
+  const RunRecord wanted = SampleRecord();
+  const RunRecord record = ParseRecord(FormatRecord(wanted), "here").value();
+  EXPECT_EQ(record.runs[0].rays, std::nullopt);
+  EXPECT_EQ(record.runs[0].decomposition, std::nullopt);
+  EXPECT_EQ(record.runs[1].rays, wanted.runs[1].rays);
+  EXPECT_EQ(record.runs[1].bytes_per_frame, wanted.runs[1].bytes_per_frame);
+  EXPECT_EQ(record.runs[1].pictures, wanted.runs[1].pictures);
+  EXPECT_EQ(record.runs[1].bound, wanted.runs[1].bound);
+  EXPECT_EQ(record.runs[1].decomposition, wanted.runs[1].decomposition);
+  EXPECT_EQ(record.runs[1].temporal, wanted.runs[1].temporal);
+  EXPECT_EQ(record.runs[1].live, wanted.runs[1].live);
+  EXPECT_TRUE(record.runs[1].times.empty());
+}
+
+TEST(ParseRecordTest, ReadsUnitsAndFailures) {
+  const RunRecord wanted = SampleFailure();
+  const std::string text = FormatRecord(wanted);
+  const RunRecord record = ParseRecord(text, "here").value();
+  EXPECT_EQ(record.unit, wanted.unit);
+  EXPECT_EQ(record.failure, wanted.failure);
+  EXPECT_EQ(FormatRecord(record), text);
+}
+
+// A bound that is not known is said not to be; one that was not asked for is
+// not spoken of.
+TEST(RunRecordJsonTest, AnUnknownBoundIsNull) {
+  RunRecord record = SampleRecord();
+  record.runs[1].bound.reset();
+  const Json json = RecordToJson(record);
+  EXPECT_FALSE(json["runs"][0].contains("bound"));
+  EXPECT_TRUE(json["runs"][1]["bound"].is_null());
+  EXPECT_EQ(FormatRecord(*ParseRecord(FormatRecord(record), "here")),
+            FormatRecord(record));
 }
 
 void ExpectRefused(const std::string& text, const std::string& reason) {
