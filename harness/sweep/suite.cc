@@ -104,6 +104,7 @@ void SuiteReader::RequireLists(const MapReader& map,
 void SuiteReader::ReadExclude(MapReader& map, SuiteMatrix& matrix) {
   const auto list = map.Find("exclude");
   if (!list) return;
+  matrix.exclude.clear();
   for (const YamlNode& item :
        ItemsOf(*list, "exclude", 0, kMostItems, context_)) {
     MapReader rule_map(item, "a rule of `exclude`", context_);
