@@ -13,7 +13,7 @@ namespace rtb {
 namespace {
 
 constexpr int kReferenceQuality = 90;  ///< JPEG's 1..100.
-constexpr int kMapQuality = 70;
+constexpr int kMapQuality = 50;
 constexpr std::size_t kHashDigits = 16;
 
 /// The reference as displayed, under a name that hashes what it shows.

@@ -41,6 +41,7 @@ Suite SuiteReader::Read(YamlNode node) {
   ReadTemporal(root, suite);
   ReadLive(root, suite);
   root.Finish();
+  CheckTopLevel(root, suite);
   return suite;
 }
 
@@ -49,10 +50,6 @@ void SuiteReader::ReadMatrices(MapReader& root, Suite& suite) {
   ReadMatrix(root, shared);
   const auto list = root.Find("matrix");
   if (!list) {
-    // A suite of moving scenes or of the live mode alone has no lists.
-    const bool other = root.Has("temporal") || root.Has("live");
-    if (other && shared.scenes.empty() && shared.encoders.empty()) return;
-    RequireLists(root, shared);
     suite.matrices.push_back(shared);
     return;
   }
@@ -64,6 +61,18 @@ void SuiteReader::ReadMatrices(MapReader& root, Suite& suite) {
     RequireLists(map, matrix);
     map.Finish();
     suite.matrices.push_back(std::move(matrix));
+  }
+}
+
+void SuiteReader::CheckTopLevel(MapReader& root, Suite& suite) {
+  if (!context_.ok() || root.Has("matrix")) return;
+  const SuiteMatrix& only = suite.matrices.front();
+  // A suite of moving scenes or of the live mode alone has no lists.
+  const bool other = suite.temporal || suite.live;
+  if (other && only.scenes.empty() && only.encoders.empty()) {
+    suite.matrices.clear();
+  } else {
+    RequireLists(root, only);
   }
 }
 

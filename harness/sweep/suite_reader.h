@@ -32,6 +32,8 @@ class SuiteReader {
   void ReadLive(MapReader& root, Suite& suite);
   /// The whole list of matrices, or the top level alone.
   void ReadMatrices(MapReader& root, Suite& suite);
+  /// Whether the top level, without `matrix`, says enough.
+  void CheckTopLevel(MapReader& root, Suite& suite);
 
   SuiteScene ToScene(YamlNode node);
   std::string ToEncoder(YamlNode node);
