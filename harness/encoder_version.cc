@@ -35,14 +35,16 @@ std::string ProgramVersion(const std::string& program) {
          (sha256 ? " (" + sha256->substr(0, kShown) + ")" : "");
 }
 
-/// Remembers the answers. Programs are not exchanged while we run.
+/// Remembers the answers: programs are not exchanged while we run.
 std::string KnownProgramVersion(const std::string& program) {
   static std::mutex mutex;
   static std::map<std::string, std::string> versions;
   const std::lock_guard lock(mutex);
   const auto found = versions.find(program);
   if (found != versions.end()) return found->second;
-  return versions[program] = ProgramVersion(program);
+  std::string version = ProgramVersion(program);
+  if (!version.empty()) versions[program] = version;
+  return version;
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ CLUSTER = ROOT / "scripts" / "cluster"
 
 
 class ClusterTest(SweepTest):
+    """What the tests share."""
 
     def check_whole(self, folder):
         """The folder holds what a local sweep leaves, times aside."""
@@ -50,7 +51,10 @@ class ClusterTest(SweepTest):
             f"suite={self.suite}", "out=sliced", "shards=2",
             f"rtbench={self.program}", environment=environment, **more)
 
-    def test_snakemake_on_this_machine(self):
+
+class SnakemakeTest(ClusterTest):
+
+    def test_this_machine(self):
         self.snakemake("--cores=2")
         self.check_whole("sliced")
         # Everything is done: a second run starts nothing.

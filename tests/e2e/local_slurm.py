@@ -99,10 +99,10 @@ class LocalSlurm:
             "sinfo", "-h", "-o", "%T"))
 
     def _run(self, *command):
-        log = (self.folder / f"{command[0]}.out").open("wb")
-        self.daemons.append(subprocess.Popen(
-            command, env=self.environment, stdout=log, stderr=log,
-            stdin=subprocess.DEVNULL))
+        with (self.folder / f"{command[0]}.out").open("wb") as log:
+            self.daemons.append(subprocess.Popen(
+                command, env=self.environment, stdout=log, stderr=log,
+                stdin=subprocess.DEVNULL))
 
     def _wait_for(self, what, there, seconds=60):
         end = time.monotonic() + seconds

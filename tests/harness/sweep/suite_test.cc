@@ -101,7 +101,7 @@ TEST_F(SuiteTest, EveryMistakeIsNamedWithItsPlace) {
       {"scenes: [sky]\nencoders: [half]\ngrids: [12]\n", ":5:9:", "COLSxROWS"},
       {"scenes: [sky]\nencoders: [hlaf]\n", ":4:12:", "did you mean `half`"},
       {"scenes: [sky]\nencoders: ['search:rays=5']\n", ":4:12:", "16|12|8"},
-      {"scenes: [skie]\nencoders: [half]\n", ":3:10:", "did you mean `sky`"},
+      {"scenes: [skyy]\nencoders: [half]\n", ":3:10:", "did you mean `sky`"},
       {"scenes: []\nencoders: [half]\n", ":3:9:", "0 items"},
       {"encoders: [half]\n", ":1:1:", "`scenes` is nowhere"},
       {"scenes: [sky]\nencoders: [half]\ntimes: [-1]\n", ":5:9:", "seconds"},
