@@ -13,11 +13,6 @@ namespace {
 /// Largest relative difference of two aspects that count as one picture.
 constexpr double kAspectTolerance = 1e-3;
 
-bool HoldsLinearLight(const std::filesystem::path& file) {
-  const std::string extension = LowerExtension(file);
-  return extension == ".exr" || extension == ".hdr" || extension == ".pfm";
-}
-
 PixelSize SizeOf(const Image& image) { return {image.width(), image.height()}; }
 
 std::string Text(PixelSize size) {
@@ -27,14 +22,24 @@ std::string Text(PixelSize size) {
 /// Encoded values at another size, averaged in linear light.
 Image Reduce(const Image& encoded, PixelSize size) {
   if (SizeOf(encoded) == size) return encoded;
+  return DisplayEncoded(ResizeArea(LinearOf(encoded), size.width, size.height),
+                        0, false);
+}
+
+}  // namespace
+
+bool HoldsLinearLight(const std::filesystem::path& file) {
+  const std::string extension = LowerExtension(file);
+  return extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+}
+
+Image LinearOf(const Image& encoded) {
   Image linear = encoded;
   for (Rgb& pixel : linear.pixels()) {
     pixel = Rgb(SrgbDecode(pixel.x), SrgbDecode(pixel.y), SrgbDecode(pixel.z));
   }
-  return DisplayEncoded(ResizeArea(linear, size.width, size.height), 0, false);
+  return linear;
 }
-
-}  // namespace
 
 Result<Image> ReadDisplayed(const std::filesystem::path& file,
                             double exposure) {

@@ -12,6 +12,12 @@
 
 namespace rtb {
 
+/// Whether files of that name hold linear light: .exr, .hdr, .pfm.
+bool HoldsLinearLight(const std::filesystem::path& file);
+
+/// The linear values of sRGB-encoded ones in [0, 1].
+Image LinearOf(const Image& encoded);
+
 /// A picture as a display shows it: clipped, sRGB-encoded, rounded to 8 bits.
 /// Files of linear light (.exr, .hdr, .pfm) are exposed first.
 /// @param exposure in stops.

@@ -2,6 +2,7 @@
 
 #include "core/image/io.h"
 #include "harness/lookup.h"
+#include "harness/measure/converged_image.h"
 #include "harness/provenance.h"
 #include "harness/rasters.h"
 
@@ -41,16 +42,11 @@ ReferenceSource DefaultSource(const PreparedScene& scene) {
   return choice;
 }
 
-/// The scene's own depth and no seed: the picture that is to be approached
-/// does not change with the options of a run.
-Result<Image> RenderSelf(const PreparedScene& scene, PixelSize raster) {
-  RenderOptions options;
-  options.time = scene.options.time;
-  options.threads = scene.options.threads;
-  options.integrator = scene.options.integrator;
-  options.spp = kSelfReferenceSpp;
-  RTB_ASSIGN_OR_RETURN(const Image linear,
-                       RenderImage(*scene.backend, raster, options));
+Result<Image> RenderSelf(const PreparedScene& scene, PixelSize raster,
+                         const std::filesystem::path& cache) {
+  RTB_ASSIGN_OR_RETURN(
+      const Image linear,
+      ConvergedImage(scene, scene.options.time, raster, cache));
   return DisplayEncoded(linear, scene.exposure, true);
 }
 
@@ -94,12 +90,13 @@ Result<ReferenceSource> FindReferenceSource(const std::string& choice,
 
 Result<ReferencePicture> ChooseReference(const std::string& choice,
                                          const PreparedScene& scene,
-                                         PixelSize raster) {
+                                         PixelSize raster,
+                                         const std::filesystem::path& cache) {
   RTB_ASSIGN_OR_RETURN(ReferenceSource source,
                        FindReferenceSource(choice, scene));
   ReferencePicture picture;
   if (source.file.empty()) {
-    RTB_ASSIGN_OR_RETURN(picture.display, RenderSelf(scene, raster));
+    RTB_ASSIGN_OR_RETURN(picture.display, RenderSelf(scene, raster, cache));
   } else {
     RTB_ASSIGN_OR_RETURN(picture.display,
                          ReadDisplayed(source.file, scene.exposure));

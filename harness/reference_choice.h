@@ -9,9 +9,6 @@
 
 namespace rtb {
 
-/// Rays per pixel of our own converged image.
-inline constexpr int kSelfReferenceSpp = 64;
-
 /// A reference as a display shows it.
 struct ReferencePicture {
   Image display;     ///< sRGB-encoded, rounded to 8 bits.
@@ -38,10 +35,11 @@ Result<ReferenceSource> FindReferenceSource(const std::string& choice,
 ///   the three that there is. References by name are looked up for the scene's
 ///   time; one that CheckProvenance refuses is not used by default, which the
 ///   notes say.
+/// @param cache ConvergedImage's, for `self`; empty: none.
 /// @return kBadInput when there is no such reference, CheckProvenance refuses
 /// it, or its aspect is not the raster's.
-Result<ReferencePicture> ChooseReference(const std::string& choice,
-                                         const PreparedScene& scene,
-                                         PixelSize raster);
+Result<ReferencePicture> ChooseReference(
+    const std::string& choice, const PreparedScene& scene, PixelSize raster,
+    const std::filesystem::path& cache = {});
 
 }  // namespace rtb

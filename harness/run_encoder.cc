@@ -1,43 +1,10 @@
 #include "harness/run_encoder.h"
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <optional>
 
 namespace rtb {
 namespace {
-
-/// CPU time of the process so far, in milliseconds.
-double CpuMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 +
-         static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-/// Runs from its construction on.
-class Stopwatch {
- public:
-  Cost Read() const {
-    const auto wall = Clock::now() - wall_start_;
-    return {std::chrono::duration<double, std::milli>(wall).count(),
-            CpuMilliseconds() - cpu_start_};
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point wall_start_ = Clock::now();
-  double cpu_start_ = CpuMilliseconds();
-};
-
-Cost operator+(const Cost& a, const Cost& b) {
-  return {a.wall_ms + b.wall_ms, a.cpu_ms + b.cpu_ms};
-}
-
-Cost operator-(const Cost& a, const Cost& b) {
-  return {a.wall_ms - b.wall_ms, a.cpu_ms - b.cpu_ms};
-}
 
 /// Passes queries on and adds up what they take. Its clock starts with it.
 class TimedSource : public FragmentSource {

@@ -3,14 +3,9 @@
 #pragma once
 
 #include "encoders/encoder.h"
+#include "harness/stopwatch.h"
 
 namespace rtb {
-
-/// What a piece of work took, in milliseconds.
-struct Cost {
-  double wall_ms = 0;
-  double cpu_ms = 0;  ///< Of all threads of the process.
-};
 
 /// An encoding and what it cost: the three parts are all of Encoder::Run.
 struct TimedEncoding {

@@ -18,10 +18,14 @@ class SceneSource : public FragmentSource {
   /// backend's errors.
   Result<Fragments> Query(const SamplePlan& plan) override;
 
+  /// Rays of all queries so far.
+  const RayCounts& rays() const { return rays_; }
+
  private:
   Backend& backend_;
   RenderOptions options_;
   double exposure_;
+  RayCounts rays_;
 };
 
 }  // namespace rtb

@@ -5,6 +5,17 @@
 #include "encoders/fit/color_fit.h"
 
 namespace rtb {
+namespace {
+
+UnroundedFit SolveUnrounded(const FitMask& mask, Blend blend,
+                            const CenteredSamples& centered,
+                            const V3d& correlation) {
+  const ColorPair colors = SolveDisplayable(mask, blend, centered, correlation);
+  return {colors.fg, colors.bg,
+          ErrorOfPair(mask, centered, correlation, colors), 0};
+}
+
+}  // namespace
 
 CellFit FitCell(const Atlas& atlas, Blend blend, std::span<const V3d> samples) {
   const CenteredSamples centered = Center(samples);
@@ -44,14 +55,17 @@ UnroundedFit FitCellUnrounded(const Atlas& atlas, Blend blend,
   const CenteredSamples centered = Center(samples);
   const std::vector<Prospect> prospects = Survey(atlas, centered);
   return ChooseBest(prospects, [&](std::size_t i) {
-    const FitMask& mask = atlas.candidates()[i];
-    const V3d& correlation = prospects[i].correlation;
-    const ColorPair colors =
-        SolveDisplayable(mask, blend, centered, correlation);
-    return UnroundedFit{colors.fg, colors.bg,
-                        ErrorOfPair(mask, centered, correlation, colors),
-                        static_cast<int>(i)};
+    UnroundedFit fit = SolveUnrounded(atlas.candidates()[i], blend, centered,
+                                      prospects[i].correlation);
+    fit.candidate = static_cast<int>(i);
+    return fit;
   });
+}
+
+UnroundedFit RefitUnrounded(const FitMask& mask, Blend blend,
+                            std::span<const V3d> samples) {
+  const CenteredSamples centered = Center(samples);
+  return SolveUnrounded(mask, blend, centered, Correlate(mask, centered));
 }
 
 }  // namespace rtb

@@ -55,4 +55,8 @@ struct UnroundedFit {
 UnroundedFit FitCellUnrounded(const Atlas& atlas, Blend blend,
                               std::span<const V3d> samples);
 
+/// The same for one mask. UnroundedFit::candidate is 0.
+UnroundedFit RefitUnrounded(const FitMask& mask, Blend blend,
+                            std::span<const V3d> samples);
+
 }  // namespace rtb

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/parallel.h"
 
@@ -13,16 +14,34 @@ constexpr int kGrain = 64;
 constexpr int kFallbackWidth = 8;
 constexpr int kFallbackHeight = 16;
 
-/// Whether the evidence is one regular raster; its size goes to `raster`.
-bool IsRegular(const Evidence& evidence, SampleRaster& raster) {
-  if (evidence.rounds.size() != 1) return false;
+/// Sub-pixels of a cell.
+struct CellRaster {
+  int width;
+  int height;
+};
+
+/// The size of the evidence, where it is one regular raster.
+std::optional<CellRaster> RegularSize(const Evidence& evidence) {
+  if (evidence.rounds.size() != 1) return std::nullopt;
   const SamplePlan& plan = evidence.rounds[0].plan;
-  if (!plan.uniform() || !plan.cells.empty()) return false;
-  raster.width = static_cast<int>(std::lround(1 / plan.footprint.x));
-  raster.height = static_cast<int>(std::lround(1 / plan.footprint.y));
-  return raster.width * raster.height == plan.samples_per_cell &&
-         RegularPlan(plan.grid, raster.width, raster.height).positions ==
-             plan.positions;
+  if (!plan.uniform() || !plan.cells.empty()) return std::nullopt;
+  const CellRaster size{static_cast<int>(std::lround(1 / plan.footprint.x)),
+                        static_cast<int>(std::lround(1 / plan.footprint.y))};
+  const bool regular =
+      size.width * size.height == plan.samples_per_cell &&
+      RegularPlan(plan.grid, size.width, size.height).positions ==
+          plan.positions;
+  return regular ? std::optional(size) : std::nullopt;
+}
+
+SampleRaster BlackRaster(const Evidence& evidence, int width, int height) {
+  SampleRaster raster;
+  raster.grid = evidence.rounds.at(0).plan.grid;
+  raster.width = width;
+  raster.height = height;
+  raster.values.resize(
+      static_cast<std::size_t>(raster.grid.cells() * width * height), V3d(0));
+  return raster;
 }
 
 /// The sample nearest to a point of the cell, the cell being twice as high as
@@ -50,27 +69,26 @@ void FillCell(std::span<const CellSample> samples, Blend blend,
 
 }  // namespace
 
-SampleRaster RasterOf(const Evidence& evidence, Blend blend, int threads) {
-  SampleRaster raster;
-  raster.grid = evidence.rounds.at(0).plan.grid;
-  const bool regular = IsRegular(evidence, raster);
-  if (!regular) {
-    raster.width = kFallbackWidth;
-    raster.height = kFallbackHeight;
-  }
-  raster.values.resize(static_cast<std::size_t>(raster.grid.cells() *
-                                                raster.width * raster.height),
-                       V3d(0));
-  if (regular) {
-    ToBlend(blend, evidence.rounds[0].fragments.values, raster.values);
-    return raster;
-  }
+SampleRaster NearestRaster(const Evidence& evidence, int width, int height,
+                           Blend blend, int threads) {
+  SampleRaster raster = BlackRaster(evidence, width, height);
   const SamplesByCell samples(evidence);
   ParallelFor(raster.grid.cells(), kGrain, threads, [&](int begin, int end) {
     for (int cell = begin; cell < end; ++cell) {
       FillCell(samples.cell(cell), blend, raster, raster.cell(cell));
     }
   });
+  return raster;
+}
+
+SampleRaster RasterOf(const Evidence& evidence, Blend blend, int threads) {
+  const std::optional<CellRaster> regular = RegularSize(evidence);
+  if (!regular) {
+    return NearestRaster(evidence, kFallbackWidth, kFallbackHeight, blend,
+                         threads);
+  }
+  SampleRaster raster = BlackRaster(evidence, regular->width, regular->height);
+  ToBlend(blend, evidence.rounds[0].fragments.values, raster.values);
   return raster;
 }
 

@@ -33,6 +33,11 @@ struct SampleRaster {
   }
 };
 
+/// Rasterizes evidence at width x height sub-pixels a cell, each of which shows
+/// the nearest sample of its cell, cells being twice as high as wide.
+SampleRaster NearestRaster(const Evidence& evidence, int width, int height,
+                           Blend blend, int threads);
+
 /// Rasterizes evidence.
 SampleRaster RasterOf(const Evidence& evidence, Blend blend, int threads);
 

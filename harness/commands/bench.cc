@@ -13,6 +13,7 @@
 #include "harness/commands/command.h"
 #include "harness/commands/console.h"
 #include "harness/commands/options.h"
+#include "harness/measure/cache.h"
 #include "harness/results/run_record_json.h"
 #include "harness/results/run_table.h"
 
@@ -110,8 +111,10 @@ Status Print(const BenchOptions& options, const BenchResult& result) {
 Status RunBench(const BenchOptions& options) {
   if (!options.out.empty()) RTB_RETURN_IF_ERROR(MakeFolder(options.out));
   RunConditions conditions = Conditions(options);
+  BenchRequest request = options.request;
+  if (request.decompose) request.cache = CacheFolder();
   RTB_ASSIGN_OR_RETURN(BenchResult result,
-                       Bench(options.request, ProgressLine(options.quiet)));
+                       Bench(request, ProgressLine(options.quiet)));
   RunRecord& record = result.record;
   record.conditions = std::move(conditions);
   if (!options.quiet) {
@@ -143,6 +146,9 @@ void AddOptions(CLI::App& app, BenchOptions& options) {
           options.request.reference);
   AddInteger(app, {"--repeat", "N", "10", "Timed runs of each encoder"},
              options.request.repeat, 1, 100000);
+  app.add_flag(
+      "--decompose", options.request.decompose,
+      "Say where errors come from: rendering, sampling, encoding, glyphs");
   AddJson(app, options.json);
   AddText(app, {"--out", "DIR", "", "Write record, grids and pictures"},
           options.out);

@@ -22,6 +22,7 @@ void AddScore(CLI::App& program, Action& selected);
 void AddSweep(CLI::App& program, Action& selected);
 void AddReference(CLI::App& program, Action& selected);
 void AddExport(CLI::App& program, Action& selected);
+void AddReport(CLI::App& program, Action& selected);
 void AddList(CLI::App& program, Action& selected);
 /// @}
 

@@ -38,6 +38,7 @@ void AddCommands(CLI::App& program, Action& selected) {
   AddSweep(program, selected);
   AddReference(program, selected);
   AddExport(program, selected);
+  AddReport(program, selected);
   AddList(program, selected);
   program.footer(
       "Without a command, bench is run: rtbench --scene=cornell\n"

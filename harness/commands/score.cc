@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -14,6 +15,7 @@
 #include "harness/commands/options.h"
 #include "harness/error_maps.h"
 #include "harness/metrics/flip_map.h"
+#include "harness/metrics/hdr_flip.h"
 #include "harness/metrics/metric.h"
 #include "harness/rasters.h"
 #include "harness/results/run_record_json.h"
@@ -123,14 +125,34 @@ Status WriteMaps(const RasterPair& pair, const ScoreOptions& options) {
   return {};
 }
 
+/// HDR-FLIP, where reference and test are linear renders.
+Status ScoreLinear(const ScoreOptions& options,
+                   std::vector<MetricValue>& scores) {
+  if (options.image.empty() || !HoldsLinearLight(options.image) ||
+      !HoldsLinearLight(options.reference)) {
+    return {};
+  }
+  RTB_ASSIGN_OR_RETURN(const Image reference, ReadLinear(options.reference));
+  RTB_ASSIGN_OR_RETURN(const Image test, ReadLinear(options.image));
+  const auto flip = HdrFlip(reference, test, options.threads);
+  if (!flip) {
+    PrintNote(flip.error().ToString());
+    return {};
+  }
+  *std::ranges::find(scores, "hdr_flip", &MetricValue::name) = {"hdr_flip",
+                                                                *flip};
+  return {};
+}
+
 Status ScoreAgainstReference(const ScoreOptions& options) {
   RTB_ASSIGN_OR_RETURN(const Image test, ReadTest(options));
   RTB_ASSIGN_OR_RETURN(const Image reference,
                        ReadDisplayed(options.reference, options.exposure));
   RTB_ASSIGN_OR_RETURN(const RasterPair pair,
                        MatchRasters(reference, test, "--reference"));
-  RTB_ASSIGN_OR_RETURN(const std::vector<MetricValue> scores,
+  RTB_ASSIGN_OR_RETURN(std::vector<MetricValue> scores,
                        Score(pair.reference, pair.test, options.threads));
+  RTB_RETURN_IF_ERROR(ScoreLinear(options, scores));
   if (!options.maps.empty()) RTB_RETURN_IF_ERROR(WriteMaps(pair, options));
   return ReportScores(scores, pair.test, options);
 }

@@ -3,13 +3,14 @@
 #include "harness/results/statistics.h"
 
 namespace rtb {
-namespace {
 
 double MeanFlip(const MetricInput& input, double ppd) {
   const ChannelPlane& map = FlipMap(input, ppd);
   return MeanOverPixels(map.width(), map.height(), input.threads(),
                         [&](int x, int y) { return map.row(y)[x]; });
 }
+
+namespace {
 
 template <const double& kPpd>
 std::optional<double> Compute(const MetricInput& input) {

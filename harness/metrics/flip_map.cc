@@ -31,13 +31,15 @@ void ConvertPixels(ColorPlanes& planes, int threads, const Convert& convert) {
   });
 }
 
+OfBoth<ColorPlanes> ToYcxcz(OfBoth<ColorPlanes> planes, int threads) {
+  ConvertPixels(planes.reference, threads, LinearToYcxcz);
+  ConvertPixels(planes.test, threads, LinearToYcxcz);
+  return planes;
+}
+
 const OfBoth<ColorPlanes>& YcxczPlanes(const MetricInput& input) {
-  return input.Once<OfBoth<ColorPlanes>>("ycxcz", [&] {
-    OfBoth<ColorPlanes> out = LinearPlanes(input);
-    ConvertPixels(out.reference, input.threads(), LinearToYcxcz);
-    ConvertPixels(out.test, input.threads(), LinearToYcxcz);
-    return out;
-  });
+  return input.Once<OfBoth<ColorPlanes>>(
+      "ycxcz", [&] { return ToYcxcz(LinearPlanes(input), input.threads()); });
 }
 
 /// What an observer sees of an image: filtered by contrast sensitivity, in
@@ -90,9 +92,8 @@ double FeatureError(double edge, double point) {
   return std::sqrt(std::max(edge, point) / (116 * std::numbers::sqrt2));
 }
 
-ChannelPlane MakeFlipMap(const MetricInput& input, double ppd) {
-  const int threads = input.threads();
-  const OfBoth<ColorPlanes>& ycxcz = YcxczPlanes(input);
+ChannelPlane MakeFlipMap(const OfBoth<ColorPlanes>& ycxcz, double ppd,
+                         int threads) {
   const FlipFeatures detectors = MakeFlipFeatures(ppd);
   const Features features_a =
       DetectFeatures(ycxcz.reference[0], detectors, threads);
@@ -102,7 +103,7 @@ ChannelPlane MakeFlipMap(const MetricInput& input, double ppd) {
   const ColorPlanes color_b = Perceived(ycxcz.test, filters, threads);
   const FlipErrorRange color_error;
 
-  ChannelPlane map(input.width(), input.height());
+  ChannelPlane map(ycxcz.test[0].width(), ycxcz.test[0].height());
   ForRows(map.height(), threads, [&](int y) {
     for (int x = 0; x < map.width(); ++x) {
       const double color =
@@ -119,8 +120,14 @@ ChannelPlane MakeFlipMap(const MetricInput& input, double ppd) {
 }  // namespace
 
 const ChannelPlane& FlipMap(const MetricInput& input, double ppd) {
-  return input.Once<ChannelPlane>("flip:" + std::to_string(ppd),
-                                  [&] { return MakeFlipMap(input, ppd); });
+  return input.Once<ChannelPlane>("flip:" + std::to_string(ppd), [&] {
+    return MakeFlipMap(YcxczPlanes(input), ppd, input.threads());
+  });
+}
+
+ChannelPlane FlipMapOfLinear(const ColorPlanes& reference,
+                             const ColorPlanes& test, double ppd, int threads) {
+  return MakeFlipMap(ToYcxcz({reference, test}, threads), ppd, threads);
 }
 
 }  // namespace rtb

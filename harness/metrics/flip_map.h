@@ -18,4 +18,11 @@ inline constexpr double kFlipPpdFar = 67.0206433;
 /// authors' tool, version 1.6. Computed once for a pair and `ppd`.
 const ChannelPlane& FlipMap(const MetricInput& input, double ppd);
 
+/// Mean of the map.
+double MeanFlip(const MetricInput& input, double ppd = kFlipPpd);
+
+/// The map of two images given by linear BT.709 values in [0, 1].
+ChannelPlane FlipMapOfLinear(const ColorPlanes& reference,
+                             const ColorPlanes& test, double ppd, int threads);
+
 }  // namespace rtb

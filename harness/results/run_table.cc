@@ -6,6 +6,8 @@
 
 #include "core/base/error.h"
 #include "harness/metrics/flip_map.h"
+#include "harness/results/cost_table.h"
+#include "harness/results/decomposition_table.h"
 #include "harness/results/statistics.h"
 #include "harness/results/table.h"
 
@@ -78,6 +80,11 @@ std::string Warnings(const RunResult& run) {
   return text;
 }
 
+/// A further table, apart from the one above.
+std::string Below(const std::string& table) {
+  return table.empty() ? "" : "\n" + table;
+}
+
 }  // namespace
 
 std::string FormatRunTable(std::span<const RunResult> runs) {
@@ -98,13 +105,17 @@ std::string FormatRunTable(std::span<const RunResult> runs) {
                  {"FLIP@" + PpdText() + "PPD"}},
                 {}};
     std::string warnings;
+    std::vector<const RunResult*> shown;
     for (auto run = first; run != runs.end(); ++run) {
       if (!same(*run)) continue;
+      shown.push_back(&*run);
       table.rows.push_back(Row(*run));
       warnings += Warnings(*run);
     }
     if (!text.empty()) text += "\n";
-    text += Caption(*first) + FormatTable(table) + warnings;
+    text += Caption(*first) + FormatTable(table) + warnings +
+            Below(FormatCostTable(shown)) +
+            Below(FormatDecompositionTable(shown));
   }
   return text;
 }

@@ -17,7 +17,8 @@ inline constexpr double kMaxVariation = 0.10;
 /// encoder, rays per cell, times of rendering and encoding in ms as
 /// `median [95 % interval]`, frames per second, MSE, PSNR, SSIM, FLIP. What is
 /// undefined is `-`. Below it, a line for each stage whose coefficient of
-/// variation exceeds kMaxVariation.
+/// variation exceeds kMaxVariation, then the tables of cost_table.h and
+/// decomposition_table.h.
 std::string FormatRunTable(std::span<const RunResult> runs);
 
 }  // namespace rtb

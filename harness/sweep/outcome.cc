@@ -27,6 +27,7 @@ Status RunKind(const SweepUnit& unit, Workbench& bench,
     case UnitKind::kTiming:
       return RunTiming(unit, bench, progress, outcome);
     case UnitKind::kTemporal:
+      return RunTemporal(unit, bench, progress, outcome);
     case UnitKind::kLive:
       break;
   }

@@ -32,6 +32,8 @@ UnitOutcome RunUnit(const SweepUnit& unit, const std::string& suite,
 /// @{
 Status RunQuality(const SweepUnit& unit, Workbench& bench,
                   UnitOutcome& outcome);
+Status RunTemporal(const SweepUnit& unit, Workbench& bench,
+                   const UnitProgress& progress, UnitOutcome& outcome);
 Status RunTiming(const SweepUnit& unit, Workbench& bench,
                  const UnitProgress& progress, UnitOutcome& outcome);
 /// @}

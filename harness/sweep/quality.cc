@@ -7,6 +7,7 @@
 #include "core/image/io.h"
 #include "core/image/resample.h"
 #include "encoders/emit/emit.h"
+#include "harness/bench_rounds.h"
 #include "harness/sweep/outcome.h"
 
 namespace rtb {
@@ -51,21 +52,19 @@ Status RunQuality(const SweepUnit& unit, Workbench& bench,
                   UnitOutcome& outcome) {
   RTB_ASSIGN_OR_RETURN(const EncoderSpec spec,
                        ParseEncoderSpec(unit.configuration.encoders.front()));
-  RTB_ASSIGN_OR_RETURN(Contestant contestant, MakeContestant(spec));
-  RTB_ASSIGN_OR_RETURN(const ReferencePicture* const reference,
-                       bench.Reference(unit));
-  RTB_ASSIGN_OR_RETURN(const PreparedScene* const scene, bench.Scene(unit));
-  outcome.notes = reference->notes;
-  const BenchRequest request = RequestOf(unit, bench.threads());
-  RTB_RETURN_IF_ERROR(RunContestant(TaskOf(request), *scene,
-                                    /*warm_up=*/true, contestant));
-  BenchResult result;
-  result.reference = reference->display;
-  RTB_RETURN_IF_ERROR(ScoreContestant(request, *scene, contestant, result));
-  RunRecord& record = outcome.record;
+  std::vector<Configuration> one(1);
+  RTB_ASSIGN_OR_RETURN(one.front(), MakeConfiguration(spec));
+  RTB_ASSIGN_OR_RETURN(const BenchStage stage, bench.Stage(unit));
+  outcome.notes = stage.reference.notes;
+  BenchRequest request = RequestOf(unit, bench.threads());
+  request.decompose = true;
+  request.flip_maps = unit.pictures;
   RTB_ASSIGN_OR_RETURN(
-      record.manifest,
-      MakeManifest(request, *scene, *reference, result.pictures));
+      BenchResult result,
+      Bench(
+          request, stage, [](double, const std::string&) {}, one));
+  RunRecord& record = outcome.record;
+  record.manifest = std::move(result.record.manifest);
   record.runs = std::move(result.record.runs);
   if (!unit.pictures) return {};
   return AddPictures(unit, result, outcome);

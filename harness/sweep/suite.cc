@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "harness/measure/temporal.h"
 #include "harness/sweep/suite_reader.h"
 
 namespace rtb {
@@ -148,7 +149,8 @@ void SuiteReader::ReadTemporal(MapReader& root, Suite& suite) {
   map->Require("encoders");
   Encoders(*map, temporal.encoders);
   Grid(*map, temporal.grid);
-  temporal.frames = map->Integer("frames", 2, 100000, temporal.frames);
+  temporal.frames =
+      map->Integer("frames", kLeastFrames, 100000, temporal.frames);
   temporal.fps = map->Number("fps", kRates, temporal.fps);
   map->Finish();
   suite.temporal = std::move(temporal);

@@ -1,5 +1,6 @@
 /// @file
 /// A timing unit: a block of encoders that take turns.
+#include "harness/bench_rounds.h"
 #include "harness/sweep/outcome.h"
 
 namespace rtb {
@@ -31,20 +32,20 @@ class Dropouts {
   int count_ = 0;
 };
 
-std::vector<Contestant> MakeBlock(const std::vector<std::string>& encoders,
-                                  Dropouts& dropouts) {
-  std::vector<Contestant> contestants;
+std::vector<Configuration> MakeBlock(const std::vector<std::string>& encoders,
+                                     Dropouts& dropouts) {
+  std::vector<Configuration> block;
   for (const std::string& encoder : encoders) {
     const auto spec = ParseEncoderSpec(encoder);
-    auto contestant =
-        spec ? MakeContestant(*spec) : Result<Contestant>(Fail(spec.error()));
-    if (contestant) {
-      contestants.push_back(std::move(*contestant));
+    auto made = spec ? MakeConfiguration(*spec)
+                     : Result<Configuration>(Fail(spec.error()));
+    if (made) {
+      block.push_back(std::move(*made));
     } else {
-      dropouts.Add(encoder, contestant.error());
+      dropouts.Add(encoder, made.error());
     }
   }
-  return contestants;
+  return block;
 }
 
 }  // namespace
@@ -53,25 +54,26 @@ Status RunTiming(const SweepUnit& unit, Workbench& bench,
                  const UnitProgress& progress, UnitOutcome& outcome) {
   RTB_ASSIGN_OR_RETURN(const PreparedScene* const scene, bench.Scene(unit));
   Dropouts dropouts;
-  std::vector<Contestant> contestants =
+  std::vector<Configuration> block =
       MakeBlock(unit.configuration.encoders, dropouts);
-  const BenchRequest request = RequestOf(unit, bench.threads());
-  const Rounds rounds{
-      request.repeat, /*keep_going=*/true,
-      [&](double share, const std::string&) { progress(share); }};
-  RTB_RETURN_IF_ERROR(RunRounds(TaskOf(request), *scene, rounds, contestants));
-  RunRecord& record = outcome.record;
-  for (const Contestant& contestant : contestants) {
-    if (contestant.failure) {
-      dropouts.Add(contestant.spec, *contestant.failure);
-    } else {
-      record.runs.push_back(DescribeRun(request, *scene, contestant));
-    }
-  }
+  BenchRequest request = RequestOf(unit, bench.threads());
+  request.score = false;
+  request.keep_going = true;
+  request.repeat = unit.repeat;
   ReferencePicture none;
   none.name = "none";
-  RTB_ASSIGN_OR_RETURN(record.manifest,
-                       MakeManifest(request, *scene, none, {}));
+  RTB_ASSIGN_OR_RETURN(
+      BenchResult result,
+      Bench(
+          request, {*scene, none, Image()},
+          [&](double share, const std::string&) { progress(share); }, block));
+  for (const Configuration& configuration : block) {
+    if (!configuration.failure) continue;
+    dropouts.Add(configuration.spec, *configuration.failure);
+  }
+  RunRecord& record = outcome.record;
+  record.manifest = std::move(result.record.manifest);
+  record.runs = std::move(result.record.runs);
   record.failure = dropouts.Summary();
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include "harness/arguments.h"
 #include "harness/cell_shape.h"
+#include "harness/measure/cache.h"
 #include "harness/sweep/suite.h"
 
 namespace rtb {
@@ -19,8 +20,8 @@ BenchRequest RequestOf(const SweepUnit& unit, int threads) {
   request.grid = c.grid;
   request.depth = unit.depth;
   request.reference = unit.reference;
-  request.repeat = unit.repeat;
-  request.flip_maps = unit.pictures;
+  request.repeat = 0;
+  request.cache = CacheFolder();
   return request;
 }
 
@@ -29,6 +30,7 @@ Result<const PreparedScene*> Workbench::Scene(const SweepUnit& unit) {
   const std::string key = request.scene + "\n" + request.backend;
   if (key != scene_key_) {
     reference_key_.clear();
+    converged_key_.clear();
     scene_ = PrepareScene(request);
     scene_key_ = key;
   }
@@ -37,19 +39,25 @@ Result<const PreparedScene*> Workbench::Scene(const SweepUnit& unit) {
   return &*scene_;
 }
 
-Result<const ReferencePicture*> Workbench::Reference(const SweepUnit& unit) {
+Result<BenchStage> Workbench::Stage(const SweepUnit& unit) {
   const UnitConfiguration& c = unit.configuration;
   RTB_ASSIGN_OR_RETURN(const PreparedScene* const scene, Scene(unit));
   RTB_ASSIGN_OR_RETURN(const PixelSize raster,
                        RasterSize(c.grid, CellOf(DecodeOptions{})));
-  const std::string key = unit.reference + "\n" + c.integrator + "\n" +
-                          NumberText(c.time) + "\n" + GridText(c.grid);
-  if (key != reference_key_) {
-    reference_ = ChooseReference(unit.reference, *scene, raster);
-    reference_key_ = key;
+  const std::filesystem::path cache = CacheFolder();
+  const std::string picture =
+      c.integrator + "\n" + NumberText(c.time) + "\n" + GridText(c.grid);
+  if (reference_key_ != unit.reference + "\n" + picture) {
+    reference_ = ChooseReference(unit.reference, *scene, raster, cache);
+    reference_key_ = unit.reference + "\n" + picture;
   }
   if (!reference_) return Fail(reference_.error());
-  return &*reference_;
+  if (converged_key_ != picture) {
+    converged_ = ConvergedPicture(*scene, raster, cache);
+    converged_key_ = picture;
+  }
+  if (!converged_) return Fail(converged_.error());
+  return BenchStage{*scene, *reference_, *converged_};
 }
 
 }  // namespace rtb

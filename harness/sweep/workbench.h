@@ -9,8 +9,8 @@
 
 namespace rtb {
 
-/// Holds one scene and one reference at a time, so that units in the order of
-/// Expand load and render each once. For one thread at a time.
+/// Holds one scene and one reference of it at a time, so that units in the
+/// order of Expand load and render each once. For one thread at a time.
 class Workbench {
  public:
   /// @param threads of each unit's own loops; 0 = all cores.
@@ -20,8 +20,9 @@ class Workbench {
   /// the next call.
   Result<const PreparedScene*> Scene(const SweepUnit& unit);
 
-  /// The unit's reference for the raster of its grid; the same holds.
-  Result<const ReferencePicture*> Reference(const SweepUnit& unit);
+  /// The scene with its reference and our own picture for the raster of the
+  /// unit's grid; the same holds.
+  Result<BenchStage> Stage(const SweepUnit& unit);
 
   int threads() const { return threads_; }
 
@@ -31,9 +32,11 @@ class Workbench {
   Result<PreparedScene> scene_ = Fail(Error{});
   std::string reference_key_;
   Result<ReferencePicture> reference_ = Fail(Error{});
+  std::string converged_key_;
+  Result<Image> converged_ = Fail(Error{});
 };
 
-/// What the unit asks of the main job.
+/// What the unit asks of the main job: scores and times are left to its kind.
 BenchRequest RequestOf(const SweepUnit& unit, int threads);
 
 }  // namespace rtb

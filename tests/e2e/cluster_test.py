@@ -5,7 +5,6 @@ What is not installed, or may not be started here, is skipped by name.
 """
 
 import getpass
-import os
 import shutil
 import subprocess
 import sys
@@ -35,7 +34,8 @@ class ClusterTest(SweepTest):
         """A command's standard output; it must succeed."""
         process = subprocess.run(
             [*map(str, command)], cwd=self.folder, timeout=seconds, check=False,
-            env=environment or os.environ, stdout=subprocess.PIPE,
+            env=dict(environment or self.environment(),
+                     RTBENCH_CACHE=str(self.folder / "cache")), stdout=subprocess.PIPE,
             stderr=subprocess.PIPE)
         self.assertEqual(process.returncode, 0, process.stderr.decode())
         return process.stdout.decode()
@@ -44,7 +44,7 @@ class ClusterTest(SweepTest):
         if shutil.which("snakemake") is None:
             self.skipTest("snakemake is not installed")
         # Its notes on what it has seen go below the home folder.
-        environment = dict(more.pop("environment", os.environ),
+        environment = dict(more.pop("environment", self.environment()),
                            HOME=str(self.folder))
         self.run_cluster(
             "snakemake", "-s", CLUSTER / "Snakefile", *options, "--config",

@@ -7,8 +7,8 @@ import unittest
 from pictures import gradient, png, read_png
 from program import ProgramTest
 
-METRICS = ["flip", "flip_ppd30", "flip_ppd67", "flip_p95", "mse", "psnr",
-           "rmse_linear", "rel_mse", "ssim", "ms_ssim", "ciede2000",
+METRICS = ["flip", "flip_ppd30", "flip_ppd67", "flip_p95", "hdr_flip",
+           "mse", "psnr", "rmse_linear", "rel_mse", "ssim", "ms_ssim", "ciede2000",
            "ciede2000_p95"]
 
 
@@ -30,8 +30,23 @@ class ScoreTest(ProgramTest):
         metrics = self.metrics("--image=a.png")
         self.assertEqual(list(metrics), METRICS)
         for name in METRICS:
-            expected = {"psnr": None, "ssim": 1, "ms_ssim": None}.get(name, 0)
+            expected = {"psnr": None, "ssim": 1, "ms_ssim": None,
+                        "hdr_flip": None}.get(name, 0)
             self.assertEqual(metrics[name], expected, name)
+
+    def test_hdr_flip_of_linear_renders(self):
+        for name, spp in [("one.exr", 1), ("two.exr", 2)]:
+            self.succeed("render", "--scene=cornell", "--size=48x32",
+                         f"--spp={spp}", f"--output={name}")
+        def hdr_flip(test):
+            return json.loads(self.succeed(
+                "score", "--reference=one.exr", f"--image={test}",
+                "--json=-"))["metrics"]["hdr_flip"]
+        self.assertEqual(hdr_flip("one.exr"), 0)
+        self.assertGreater(hdr_flip("two.exr"), 0)
+        self.succeed("render", "--scene=cornell", "--size=48x32",
+                     "--output=one.png")
+        self.assertIsNone(hdr_flip("one.png"))
 
     def test_mse_of_a_known_difference(self):
         def brighter(x, y):

@@ -40,7 +40,7 @@ EVERY_KEY = {
                     "references": ["self"], "seeds": [1], "pictures": True,
                     "exclude": []}],
     "temporal": {"scenes": ["left.yaml"], "encoders": ["half"],
-                 "grid": "20x10", "frames": 2, "fps": 12.5},
+                 "grid": "20x10", "frames": 24, "fps": 12.5},
     "live": {"scenes": ["left.yaml"], "encoders": ["half"], "grid": "20x10",
              "frames": 5},
 }
@@ -55,7 +55,7 @@ REFUSED = [
     ("pictures", "yes"), ("exclude", [{}]), ("exclude", [{"time": "now"}]),
     ("exclude", [{"scene": []}]), ("matrix", []), ("matrix", [[]]),
     ("temporal", {"scenes": ["left.yaml"]}),
-    ("temporal", {"scenes": ["left.yaml"], "encoders": ["half"], "frames": 1}),
+    ("temporal", {"scenes": ["left.yaml"], "encoders": ["half"], "frames": 23}),
     ("live", {"scenes": ["left.yaml"], "encoders": ["half"], "fps": 60}),
 ]
 

@@ -38,7 +38,7 @@ class KillTest(SweepTest):
             process = subprocess.Popen(
                 [self.program, "sweep", self.suite, f"--out={folder}",
                  "--resume", "--quiet"], cwd=self.folder,
-                stdout=subprocess.DEVNULL)
+                env=self.environment(), stdout=subprocess.DEVNULL)
             try:
                 process.wait(moments.uniform(0, duration))
             except subprocess.TimeoutExpired:

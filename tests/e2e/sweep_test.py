@@ -154,7 +154,7 @@ class InterruptTest(SweepTest):
     def start(self, *args, **more):
         return subprocess.Popen(
             [self.program, "sweep", self.suite, "--out=out", *args],
-            cwd=self.folder, **more)
+            cwd=self.folder, env=self.environment(), **more)
 
     def wait_for_units(self, count):
         for _ in range(3000):

@@ -1,6 +1,7 @@
 """Suites for tests, and what a sweep's folder holds."""
 
 import json
+import os
 import re
 
 from program import ProgramTest
@@ -67,6 +68,16 @@ class SweepTest(ProgramTest):
         self.suite = self.write("small.yaml", SUITE)
         self.succeed("render", "--scene=left.yaml", "--size=160x160",
                      "--output=reference.png")
+
+    def environment(self):
+        """Ours, with a cache that goes with the test."""
+        return dict(os.environ, RTBENCH_CACHE=str(self.folder / "cache"))
+
+    def run_program(self, *args, env=None, **more):
+        # Nothing of an earlier test's, nothing left in the user's cache.
+        return super().run_program(
+            *args, env={"RTBENCH_CACHE": str(self.folder / "cache"),
+                        **(env or {})}, **more)
 
     def sweep(self, folder, *args):
         """Its standard output; it must succeed."""

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "encoders/emit/emit.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace rtb {
@@ -102,6 +103,65 @@ TEST_F(BenchTest, TakesAsManyTimesAsAsked) {
     EXPECT_THAT(FramesPerSecond(run), Optional(Gt(0.0)));
   }
   EXPECT_EQ(share_, 1);
+}
+
+TEST_F(BenchTest, TimesWhatIsAroundTheFrameToo) {
+  const RunRecord record = Run()->record;
+  std::vector<std::string> stages;
+  for (const StageTimes& times : record.runs[1].times) {
+    stages.push_back(times.stage);
+    EXPECT_EQ(times.samples.size(), 3u);
+  }
+  EXPECT_THAT(stages, ElementsAre("load", "build", "plan", "render", "encode",
+                                  "decode", "emit"));
+}
+
+// `half` takes 2 samples a cell, of 3 rays each: 12 cells take 72 eye rays,
+// which meet nothing.
+TEST_F(BenchTest, CountsRaysAndBytesOfOneFrame) {
+  request_.scene.options.spp = 3;
+  const BenchResult result = Run().value();
+  const RunResult& run = result.record.runs[0];
+  EXPECT_EQ(run.rays, (RayCounts{72, 0, 0, 0, 0}));
+  EXPECT_EQ(run.bytes_per_frame, EmitAnsi(result.pictures[0].grid).size());
+}
+
+TEST_F(BenchTest, WithoutRepeatsNothingIsTimed) {
+  request_.repeat = 0;
+  const RunRecord record = Run()->record;
+  for (const RunResult& run : record.runs) {
+    EXPECT_TRUE(run.times.empty());
+    EXPECT_EQ(FindMetricValue(run, "mse"), 0);
+    EXPECT_TRUE(run.rays.has_value());
+  }
+  EXPECT_EQ(share_, 1);
+}
+
+TEST_F(BenchTest, WithoutScoresThereIsNoReference) {
+  request_.score = false;
+  request_.reference = "povray";  // There is none.
+  const BenchResult result = Run().value();
+  EXPECT_TRUE(result.reference.empty());
+  EXPECT_TRUE(result.record.runs[0].metrics.empty());
+  EXPECT_EQ(result.record.runs[0].times.size(), 7u);
+  EXPECT_EQ(result.record.manifest.settings.reference, "none");
+}
+
+// The picture is of one color: nothing is lost but rounding, which the
+// reference has too.
+TEST_F(BenchTest, DecomposesOnRequest) {
+  request_.decompose = true;
+  request_.cache = folder_.path() / "cache";
+  const RunRecord record = Run()->record;
+  for (const RunResult& run : record.runs) {
+    ASSERT_TRUE(run.decomposition.has_value());
+    EXPECT_EQ(run.decomposition->mse.total, 0);
+    EXPECT_NEAR(run.decomposition->mse.render, 0, 1 / (255.0 * 255.0));
+    EXPECT_NEAR(run.decomposition->mse.sampling, 0, 1e-12);
+    ASSERT_TRUE(run.bound.has_value());
+    EXPECT_NEAR(run.bound->mse, 0, 1e-12);
+  }
+  EXPECT_FALSE(std::filesystem::is_empty(request_.cache));
 }
 
 TEST_F(BenchTest, FailsBeforeTheWork) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "harness/metrics/metric.h"
 #include "tests/harness/metrics/test_images.h"
@@ -105,7 +106,17 @@ TEST_P(EveryMetric, SurvivesOnePixel) {
   EXPECT_TRUE(std::isfinite(value.value_or(0)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Metrics, EveryMetric, testing::ValuesIn(Metrics()),
+/// HDR-FLIP is undefined for what a display is given: hdr_flip_test.cc.
+std::vector<Metric> DefinedMetrics() {
+  std::vector<Metric> metrics(Metrics().begin(), Metrics().end());
+  std::erase_if(metrics, [](const Metric& metric) {
+    return std::string(metric.name) == "hdr_flip";
+  });
+  return metrics;
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, EveryMetric,
+                         testing::ValuesIn(DefinedMetrics()),
                          [](const auto& metric) { return metric.param.name; });
 
 }  // namespace

@@ -32,9 +32,9 @@ TEST(MetricsTest, ListsTheNamesOfRecordsInOrder) {
   std::vector<std::string> names;
   for (const Metric& metric : Metrics()) names.emplace_back(metric.name);
   EXPECT_THAT(names,
-              ElementsAre("flip", "flip_ppd30", "flip_ppd67", "flip_p95", "mse",
-                          "psnr", "rmse_linear", "rel_mse", "ssim", "ms_ssim",
-                          "ciede2000", "ciede2000_p95"));
+              ElementsAre("flip", "flip_ppd30", "flip_ppd67", "flip_p95",
+                          "hdr_flip", "mse", "psnr", "rmse_linear", "rel_mse",
+                          "ssim", "ms_ssim", "ciede2000", "ciede2000_p95"));
 }
 
 TEST(MetricsTest, FindsByNameAlone) {

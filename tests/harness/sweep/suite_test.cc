@@ -80,10 +80,10 @@ TEST_F(SuiteTest, AnEncoderMayBeMissingHere) {
 
 TEST_F(SuiteTest, MovingScenesAloneAreASuite) {
   const Suite suite =
-      suites_.Parse("temporal: {scenes: [sky], encoders: [half], frames: 2}\n")
+      suites_.Parse("temporal: {scenes: [sky], encoders: [half], frames: 30}\n")
           .value();
   EXPECT_TRUE(suite.matrices.empty());
-  EXPECT_EQ(suite.temporal->frames, 2);
+  EXPECT_EQ(suite.temporal->frames, 30);
   EXPECT_EQ(suite.temporal->fps, 24);
 }
 
@@ -112,7 +112,7 @@ TEST_F(SuiteTest, EveryMistakeIsNamedWithItsPlace) {
        ":5:14:", "did you mean `povray`"},
       {"scenes: [sky]\nencoders: [half]\nseeds: [-1]\n", ":5:9:", "2^64"},
       {"scenes: [sky]\nencoders: [half]\nexclude: [{scen: sky}]\n",
-       ":5:11:", "did you mean `scene`"},
+       ":5:12:", "did you mean `scene`"},
       {"scenes: [sky]\nencoders: [half]\nexclude: [{}]\n",
        ":5:11:", "everything"},
       {"temporal: {scenes: [sky]}\n", ":3:11:", "lacks the required key"},

@@ -1,0 +1,1 @@
+"""The report of a sweep: statistics, tables, plots and a page."""

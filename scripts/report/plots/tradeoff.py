@@ -1,0 +1,184 @@
+"""Error against what it costs: rays, time or bytes, with the Pareto front."""
+
+import math
+
+from report import labels, matrix, statistics
+from report.plots import Plot, style
+from report.tables.times import frame_interval
+
+BARS = ("Bars: the 95 % BCa interval of the paired difference to half, drawn "
+        "around the mean; half itself has none. ")
+FRONT = ("The line joins the Pareto front: the encoders that no other beats "
+         "in both. ")
+
+
+def kind_colors(encoders, front):
+    return [style.FRONT if i in front else
+            style.CONTROL if e in matrix.CONTROLS else style.MUTED
+            for i, e in enumerate(encoders)]
+
+
+def bar_of(figures, encoder):
+    """(below, above) of an encoder's mean, or zeros."""
+    if encoder == "half" or "half" not in figures.encoders:
+        return 0.0, 0.0
+    found = matrix.compare(figures, encoder, "half")
+    if found is None or found.low is None:
+        return 0.0, 0.0
+    return found.mean - found.low, found.high - found.mean
+
+
+def draw_front(axes, points, front, **style_of_line):
+    """The front as stairs: what can be had at most at each cost."""
+    axes.step([points[i][0] for i in front], [points[i][1] for i in front],
+              where="post", color=style.FRONT, alpha=0.55, zorder=1,
+              **style_of_line)
+
+
+def draw_points(axes, encoders, points, bars, front, size=22):
+    colors = kind_colors(encoders, front)
+    for index, ((x, y), bar) in enumerate(zip(points, bars)):
+        axes.errorbar(x, y, [[bar[0]], [bar[1]]], ecolor=colors[index],
+                      elinewidth=0.8, fmt="none", alpha=0.5, zorder=2)
+        control = encoders[index] in matrix.CONTROLS
+        axes.scatter(x, y, size * (1.3 if control else 1),
+                     color=colors[index], zorder=3, linewidths=0,
+                     marker="D" if control else "o")
+    return colors
+
+
+def tradeoff(study, cost, name, axis, title):
+    """Mean FLIP over scenes against the geometric mean of a cost."""
+    from matplotlib import pyplot
+    figures = study.flip
+    encoders = [e for e in figures.complete()
+                if len(cost.row(e)) == len(figures.scenes)
+                and cost.geometric_mean(e)]
+    if len(encoders) < 2:
+        return None
+    points = [(cost.geometric_mean(e), figures.mean(e)) for e in encoders]
+    front = statistics.pareto_front(points)
+    figure, axes = pyplot.subplots(figsize=(style.WIDTH, 4.0))
+    draw_front(axes, points, front)
+    colors = draw_points(axes, encoders, points,
+                         [bar_of(figures, e) for e in encoders], front)
+    axes.set_xscale("log")
+    axes.margins(x=0.12)
+    style.plain_log(axes.xaxis)
+    axes.set(xlabel=axis, ylabel=flip_axis(study, "mean FLIP"))
+    names = study.names
+    style.label_points(axes, points,
+                       [labels.wrapped(names[e]) for e in encoders], colors,
+                       front)
+    lead = (f"Mean FLIP over scenes against {axis[0].lower()}{axis[1:]}; "
+            f"lower left is better. {FRONT}{BARS}Diamonds: the controls.")
+    return Plot(study.name(name), study.title(title),
+                study.caption(lead, len(figures.scenes)), figure)
+
+
+def flip_axis(study, words):
+    width, height = study.view.raster
+    return f"{words}, {study.view.ppd:g} PPD, {width} x {height}"
+
+
+def rays(study):
+    return tradeoff(study, study.rays, "error-rays",
+                    "Rays a cell (geometric mean)", "Error against rays")
+
+
+def time(study):
+    return tradeoff(study, study.ms, "error-time",
+                    "Milliseconds a frame (geometric mean of medians)",
+                    "Error against time")
+
+
+def bytes_(study):
+    return tradeoff(study, study.kilobytes, "error-bytes",
+                    "Kilobytes a frame of ANSI text (geometric mean)",
+                    "Error against bytes")
+
+
+def grid_of(count):
+    columns = min(4, count)
+    return math.ceil(count / columns), columns
+
+
+def small_multiples(study, name, title, axis, lead, cost, bar):
+    """One panel a scene; cost(encoder, scene) and its bar."""
+    from matplotlib import pyplot
+    figures = study.flip
+    rows, columns = grid_of(len(figures.scenes))
+    figure, panels = pyplot.subplots(
+        rows, columns, figsize=(style.WIDTH * 1.15, 1.75 * rows + 0.3),
+        squeeze=False, sharex=True)
+    shown = 0
+    for panel, scene in zip(panels.flat, figures.scenes):
+        shown += draw_scene(panel, study, scene, cost, bar)
+    for panel in panels.flat[len(figures.scenes):]:
+        panel.set_visible(False)
+    # The lowest of each column has the figures.
+    for panel in panels.flat[:len(figures.scenes)][-columns:]:
+        panel.tick_params(labelbottom=True)
+    if not shown:
+        pyplot.close(figure)
+        return None
+    figure.supxlabel(axis, fontsize=8)
+    figure.supylabel(flip_axis(study, "FLIP"), fontsize=8)
+    return Plot(study.name(name), study.title(title),
+                study.caption(lead, len(figures.scenes)), figure)
+
+
+def draw_scene(panel, study, scene, cost, bar):
+    """Returns how many points it drew."""
+    figures = study.flip
+    encoders = [e for e in figures.encoders
+                if figures.get(e, scene) is not None and cost(e, scene)]
+    points = [(cost(e, scene), figures.get(e, scene)) for e in encoders]
+    panel.set_title(scene, loc="left", pad=3, fontsize=8)
+    if not points:
+        return 0
+    front = statistics.pareto_front(points)
+    draw_front(panel, points, front, linewidth=0.9)
+    colors = draw_points(panel, encoders, points, [(0, 0)] * len(points),
+                         front, 9)
+    for encoder, point, color in zip(encoders, points, colors):
+        low, high = bar(encoder, scene) or (point[0], point[0])
+        panel.plot([low, high], [point[1]] * 2, color=color, linewidth=0.8)
+    panel.set_xscale("log")
+    panel.margins(x=0.15, y=0.18)
+    panel.set_ylim(bottom=0)
+    panel.tick_params(labelsize=6.5)
+    style.plain_log(panel.xaxis, 12)
+    names = study.names
+    kept = front + [i for i in range(len(points)) if i not in front
+                    and encoders[i] in matrix.CONTROLS]
+    style.label_points(panel, [points[i] for i in kept],
+                       [labels.wrapped(names[encoders[i]], 14)
+                        for i in kept], [colors[i] for i in kept],
+                       [n for n, i in enumerate(kept) if i in front], 5,
+                       points)
+    return len(points)
+
+
+LABELED = "Labels on the front and on the controls (diamonds) alone. "
+
+
+def by_scene(study):
+    return small_multiples(
+        study, "error-rays-by-scene", "Error against rays, scene by scene",
+        "Rays a cell", "FLIP of each encoder on each scene with the scene's "
+        f"own Pareto front. {LABELED}", study.rays.get, lambda e, s: None)
+
+
+def time_by_scene(study):
+    intervals = {}
+    for run in study.timed:
+        found = frame_interval(run)
+        if found and run.time == 0:
+            intervals[run.encoder, run.scene] = found[1:]
+    return small_multiples(
+        study, "error-time-by-scene", "Error against time, scene by scene",
+        "Milliseconds a frame", "FLIP of each encoder on each scene against "
+        "the median time of a frame with its 95 % bootstrap interval. "
+        f"{LABELED}", study.ms.get,
+        lambda e, s: intervals.get((e, s)))
