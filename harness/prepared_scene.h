@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,8 +43,11 @@ Result<PreparedScene> PrepareScene(const SceneRequest& request);
 /// Loads a scene without making it ready to render.
 Result<PreparedScene> LoadNamedScene(const std::string& name_or_file);
 
-/// Renders one sample per pixel: linear, not exposed.
-Result<Image> RenderImage(Backend& backend, PixelSize size,
-                          const RenderOptions& options);
+/// Renders one sample per pixel: linear, not exposed. Many rays are traced in
+/// bands of rows, which changes nothing in the image.
+/// @param progress called with the share of the image that is there.
+Result<Image> RenderImage(
+    Backend& backend, PixelSize size, const RenderOptions& options,
+    const std::function<void(double share)>& progress = [](double) {});
 
 }  // namespace rtb

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "core/image/io.h"
@@ -32,11 +33,12 @@ std::filesystem::path FrameFile(const std::filesystem::path& output,
 }
 
 Status RenderTo(const std::filesystem::path& file, const PreparedScene& scene,
-                PixelSize size, double time) {
+                PixelSize size, double time,
+                const std::function<void(double)>& progress) {
   RenderOptions options = scene.options;
   options.time = time;
   RTB_ASSIGN_OR_RETURN(const Image image,
-                       RenderImage(*scene.backend, size, options));
+                       RenderImage(*scene.backend, size, options, progress));
   return WriteRender(file, image, scene.exposure);
 }
 
@@ -44,14 +46,17 @@ Status Render(const RenderCommandOptions& options) {
   RTB_RETURN_IF_ERROR(CheckRenderFile(options.output));
   RTB_ASSIGN_OR_RETURN(const PreparedScene scene, PrepareScene(options.scene));
   const double start = scene.options.time;
-  if (options.frames == 0) {
-    return RenderTo(options.output, scene, options.size, start);
-  }
   const auto progress = ProgressLine(options.quiet);
+  if (options.frames == 0) {
+    return RenderTo(options.output, scene, options.size, start,
+                    [&](double share) { progress(share, "rendering"); });
+  }
   for (int frame = 0; frame < options.frames; ++frame) {
-    RTB_RETURN_IF_ERROR(RenderTo(FrameFile(options.output, frame), scene,
-                                 options.size, start + frame / options.fps));
-    progress((frame + 1.0) / options.frames, "frames");
+    RTB_RETURN_IF_ERROR(
+        RenderTo(FrameFile(options.output, frame), scene, options.size,
+                 start + frame / options.fps, [&](double share) {
+                   progress((frame + share) / options.frames, "frames");
+                 }));
   }
   return {};
 }

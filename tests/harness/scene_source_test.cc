@@ -22,10 +22,10 @@ class CountingBackend : public Backend {
     ++calls;
     last = options;
     Fragments fragments(plan);
-    for (int cell = 0; cell < plan.grid.cells(); ++cell) {
+    for (int entry = 0; entry < plan.entries(); ++entry) {
       for (int i = 0; i < plan.samples_per_cell; ++i) {
-        fragments.cell(cell)[static_cast<std::size_t>(i)] =
-            Rgb(static_cast<float>(100 * cell + i));
+        fragments.cell(entry)[static_cast<std::size_t>(i)] =
+            Rgb(static_cast<float>(100 * plan.cell(entry) + i));
       }
     }
     return fragments;
@@ -60,6 +60,20 @@ TEST(RenderImage, PutsPixelsRowByRow) {
   const Image image = RenderImage(backend, {3, 2}, {}).value();
   EXPECT_EQ(image.at(2, 0), Rgb(200.0f));
   EXPECT_EQ(image.at(0, 1), Rgb(300.0f));
+}
+
+TEST(RenderImage, TracesManyRaysInBandsAndSaysHowFarItIs) {
+  CountingBackend backend;
+  RenderOptions options;
+  options.spp = 1 << 20;  // A band holds 2^22 rays: one row of 3 pixels.
+  std::vector<double> shares;
+  const Image image = RenderImage(backend, {3, 4}, options, [&](double share) {
+                        shares.push_back(share);
+                      }).value();
+  EXPECT_EQ(backend.calls, 4);
+  EXPECT_EQ(shares, (std::vector{0.25, 0.5, 0.75, 1.0}));
+  EXPECT_EQ(image.at(2, 0), Rgb(200.0f));
+  EXPECT_EQ(image.at(1, 3), Rgb(1000.0f));
 }
 
 /// How long each part takes on purpose, in milliseconds.
