@@ -6,6 +6,7 @@
 #include "core/image/io.h"
 #include "harness/bench_rounds.h"
 #include "harness/cell_shape.h"
+#include "harness/error_maps.h"
 #include "harness/inputs.h"
 #include "harness/measure/bound.h"
 #include "harness/measure/converged_image.h"
@@ -29,7 +30,7 @@ struct Job {
   const BenchRequest& request;
   const PreparedScene& scene;
   SceneTimes times;
-  Image converged;  ///< Where errors are to be decomposed.
+  const Image& converged;  ///< Where errors are to be decomposed.
 };
 
 RunResult Describe(const Job& job, const Configuration& configuration) {
@@ -54,7 +55,7 @@ RunResult Describe(const Job& job, const Configuration& configuration) {
 
 /// Compares what was drawn with the reference.
 Status ScoreRun(const Job& job, const BenchResult& result,
-                const BenchPicture& picture, RunResult& run) {
+                BenchPicture& picture, RunResult& run) {
   const Image& decoded = picture.decoded;
   run.raster = run.reference_raster = {decoded.width(), decoded.height()};
   if (!job.request.score) return {};
@@ -62,8 +63,9 @@ Status ScoreRun(const Job& job, const BenchResult& result,
                        MatchRasters(result.reference, decoded, "--reference"));
   run.raster = {pair.test.width(), pair.test.height()};
   run.reference_raster = pair.reference_size;
-  RTB_ASSIGN_OR_RETURN(
-      run.metrics, Score(pair.reference, pair.test, job.scene.options.threads));
+  const MetricInput input(pair.reference, pair.test, job.scene.options.threads);
+  run.metrics = ComputeMetrics(input);
+  if (job.request.flip_maps) picture.flip = FlipPicture(input);
   return {};
 }
 
@@ -144,28 +146,46 @@ Result<std::vector<InputFile>> Inputs(const BenchRequest& request,
   return inputs;
 }
 
-/// What is made once, before the rounds.
-Result<Job> Prepare(const BenchRequest& request, const PreparedScene& scene,
-                    PixelSize raster) {
-  Job job{request, scene, {}, {}};
-  if (request.repeat > 0) {
-    RTB_ASSIGN_OR_RETURN(job.times, TimeScene(scene, kWarmUps, request.repeat));
-  }
-  if (request.decompose) {
-    RTB_ASSIGN_OR_RETURN(
-        const Image linear,
-        ConvergedImage(scene, scene.options.time, raster, request.cache));
-    job.converged = DisplayEncoded(linear, scene.exposure, false);
-  }
-  return job;
+}  // namespace
+
+Result<Image> ConvergedPicture(const PreparedScene& scene, PixelSize raster,
+                               const std::filesystem::path& cache) {
+  RTB_ASSIGN_OR_RETURN(
+      const Image linear,
+      ConvergedImage(scene, scene.options.time, raster, cache));
+  return DisplayEncoded(linear, scene.exposure, false);
 }
 
-}  // namespace
+Result<BenchResult> Bench(
+    const BenchRequest& request, const BenchStage& stage,
+    const std::function<void(double, const std::string&)>& progress,
+    std::vector<Configuration>& configurations) {
+  RTB_CHECK(request.score || !request.decompose);
+  BenchResult result;
+  Manifest& manifest = result.record.manifest;
+  manifest.build = GetBuildInfo();
+  manifest.settings = SharedSettings(request, stage.scene, stage.reference);
+  result.reference = stage.reference.display;
+  result.notes = stage.reference.notes;
+  Job job{request, stage.scene, {}, stage.converged};
+  if (request.repeat > 0) {
+    RTB_ASSIGN_OR_RETURN(job.times,
+                         TimeScene(stage.scene, kWarmUps, request.repeat));
+  }
+  RTB_RETURN_IF_ERROR(
+      RunRounds(request, stage.scene, progress, configurations));
+  for (Configuration& configuration : configurations) {
+    if (configuration.failure) continue;
+    RTB_RETURN_IF_ERROR(Evaluate(job, configuration, result));
+  }
+  RTB_ASSIGN_OR_RETURN(manifest.inputs,
+                       Inputs(request, stage.scene, stage.reference, result));
+  return result;
+}
 
 Result<BenchResult> Bench(
     const BenchRequest& request,
     const std::function<void(double, const std::string&)>& progress) {
-  RTB_CHECK(request.score || !request.decompose);
   RTB_ASSIGN_OR_RETURN(std::vector<Configuration> configurations,
                        MakeConfigurations(request.encoders));
   RTB_ASSIGN_OR_RETURN(const PixelSize raster,
@@ -178,20 +198,13 @@ Result<BenchResult> Bench(
     RTB_ASSIGN_OR_RETURN(reference, ChooseReference(request.reference, scene,
                                                     raster, request.cache));
   }
-  BenchResult result;
-  Manifest& manifest = result.record.manifest;
-  manifest.build = GetBuildInfo();
-  manifest.settings = SharedSettings(request, scene, reference);
-  result.reference = std::move(reference.display);
-  result.notes = std::move(reference.notes);
-  RTB_ASSIGN_OR_RETURN(const Job job, Prepare(request, scene, raster));
-  RTB_RETURN_IF_ERROR(RunRounds(request, scene, progress, configurations));
-  for (Configuration& configuration : configurations) {
-    RTB_RETURN_IF_ERROR(Evaluate(job, configuration, result));
+  Image converged;
+  if (request.decompose) {
+    RTB_ASSIGN_OR_RETURN(converged,
+                         ConvergedPicture(scene, raster, request.cache));
   }
-  RTB_ASSIGN_OR_RETURN(manifest.inputs,
-                       Inputs(request, scene, reference, result));
-  return result;
+  return Bench(request, {scene, reference, converged}, progress,
+               configurations);
 }
 
 }  // namespace rtb

@@ -11,6 +11,7 @@
 #include "encoders/color_depth.h"
 #include "encoders/decode.h"
 #include "harness/prepared_scene.h"
+#include "harness/reference_choice.h"
 #include "harness/results/run_record.h"
 
 namespace rtb {
@@ -30,6 +31,8 @@ struct BenchRequest {
   /// a converged image of our own.
   bool decompose = false;
   std::filesystem::path cache = {};  ///< Of measure/cache.h; empty: none.
+  bool flip_maps = false;   ///< Whether pictures come with their FLIP maps.
+  bool keep_going = false;  ///< Whether the others go on when one fails.
 };
 
 /// What an encoder drew.
@@ -37,6 +40,7 @@ struct BenchPicture {
   std::string encoder;  ///< Its SPEC.
   CellGrid grid;
   Image decoded;  ///< sRGB-encoded, before it is brought to a common size.
+  Image flip;     ///< Its FLIP map as a picture, where it was asked for.
 };
 
 /// The record (its conditions are left to the caller) and the pictures, one
@@ -56,5 +60,28 @@ struct BenchResult {
 Result<BenchResult> Bench(
     const BenchRequest& request,
     const std::function<void(double share, const std::string& what)>& progress);
+
+/// What a job is done with, for those who do many with the same.
+struct BenchStage {
+  const PreparedScene& scene;  ///< With the request's options.
+  /// Where nothing is scored, a picture of that name alone: `none`.
+  const ReferencePicture& reference;
+  /// Our own as displayed, not rounded; empty where nothing is decomposed.
+  const Image& converged;
+};
+
+/// Our own picture of a scene, as displayed, for BenchStage.
+/// @return ConvergedImage's errors.
+Result<Image> ConvergedPicture(const PreparedScene& scene, PixelSize raster,
+                               const std::filesystem::path& cache);
+
+struct Configuration;
+
+/// The same on a stage, with encoders that were made already. Those that fail
+/// while the request keeps going are marked, and have no run in the result.
+Result<BenchResult> Bench(
+    const BenchRequest& request, const BenchStage& stage,
+    const std::function<void(double share, const std::string& what)>& progress,
+    std::vector<Configuration>& configurations);
 
 }  // namespace rtb

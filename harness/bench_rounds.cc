@@ -1,24 +1,16 @@
 #include "harness/bench_rounds.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "core/math/random.h"
 #include "encoders/emit/emit.h"
-#include "encoders/registry.h"
 #include "harness/cell_shape.h"
+#include "harness/encoder_version.h"
 #include "harness/run_encoder.h"
 
 namespace rtb {
 namespace {
-
-std::string VersionOf(const EncoderSpec& spec) {
-  const auto name = [](const EncoderEntry& entry) { return entry.info.name; };
-  const auto entry = std::ranges::find(EncoderEntries(), spec.name, name);
-  RTB_CHECK(entry != EncoderEntries().end());
-  return entry->info.version;
-}
 
 /// The order of one round: a Fisher-Yates shuffle.
 std::vector<std::size_t> RoundOrder(std::size_t count, int round) {
@@ -101,16 +93,21 @@ Status RunOnce(const BenchRequest& request, const PreparedScene& scene,
 
 }  // namespace
 
+Result<Configuration> MakeConfiguration(const EncoderSpec& spec) {
+  Configuration configuration;
+  configuration.spec = spec.text;
+  configuration.version = EncoderVersion(spec);
+  RTB_ASSIGN_OR_RETURN(configuration.encoder, MakeEncoder(spec));
+  return configuration;
+}
+
 Result<std::vector<Configuration>> MakeConfigurations(
     const std::string& encoders) {
   RTB_ASSIGN_OR_RETURN(const std::vector<EncoderSpec> specs,
                        ParseEncoderSpecs(encoders));
   std::vector<Configuration> configurations;
   for (const EncoderSpec& spec : specs) {
-    Configuration configuration;
-    configuration.spec = spec.text;
-    configuration.version = VersionOf(spec);
-    RTB_ASSIGN_OR_RETURN(configuration.encoder, MakeEncoder(spec));
+    RTB_ASSIGN_OR_RETURN(Configuration configuration, MakeConfiguration(spec));
     configurations.push_back(std::move(configuration));
   }
   return configurations;
@@ -124,8 +121,12 @@ Status RunRounds(
   const int rounds = warm_ups + request.repeat;
   for (int round = 0; round < rounds; ++round) {
     for (const std::size_t i : RoundOrder(configurations.size(), round)) {
-      RTB_RETURN_IF_ERROR(
-          RunOnce(request, scene, round >= warm_ups, configurations[i]));
+      Configuration& configuration = configurations[i];
+      if (configuration.failure) continue;
+      Status status = RunOnce(request, scene, round >= warm_ups, configuration);
+      if (status) continue;
+      configuration.failure = std::move(status.error());
+      if (!request.keep_going) return Fail(*configuration.failure);
     }
     progress((round + 1.0) / rounds,
              request.repeat > 0 ? "timing" : "encoding");

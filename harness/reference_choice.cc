@@ -13,12 +13,6 @@ bool IsRenderer(const std::string& name) {
   return name == "povray" || name == "cycles";
 }
 
-/// What is taken where nothing is asked for, and why.
-struct DefaultReference {
-  std::string name = "self";
-  std::vector<std::string> notes;
-};
-
 /// Renderers whose images show what the integrator computes: POV-Ray's show
 /// direct light and mirrors alone, as `whitted` does.
 std::vector<const char*> RenderersFor(const std::string& integrator) {
@@ -26,8 +20,9 @@ std::vector<const char*> RenderersFor(const std::string& integrator) {
   return {"povray", "cycles"};
 }
 
-DefaultReference DefaultChoice(const PreparedScene& scene) {
-  DefaultReference choice;
+/// What is taken where nothing is asked for.
+ReferenceSource DefaultSource(const PreparedScene& scene) {
+  ReferenceSource choice{"self"};
   for (const char* renderer : RenderersFor(scene.options.integrator)) {
     const auto file = FindReference(scene.file, renderer, scene.options.time);
     if (!file) continue;
@@ -35,6 +30,7 @@ DefaultReference DefaultChoice(const PreparedScene& scene) {
         CheckProvenance(*file, renderer, *scene.scene, scene.options.time);
     if (fits) {
       choice.name = renderer;
+      choice.file = *file;
       return choice;
     }
     choice.notes.push_back(fits.error().place + " " + fits.error().what +
@@ -46,14 +42,12 @@ DefaultReference DefaultChoice(const PreparedScene& scene) {
   return choice;
 }
 
-Result<ReferencePicture> RenderSelf(const PreparedScene& scene,
-                                    PixelSize raster,
-                                    const std::filesystem::path& cache) {
+Result<Image> RenderSelf(const PreparedScene& scene, PixelSize raster,
+                         const std::filesystem::path& cache) {
   RTB_ASSIGN_OR_RETURN(
       const Image linear,
       ConvergedImage(scene, scene.options.time, raster, cache));
-  return ReferencePicture{
-      DisplayEncoded(linear, scene.exposure, true), "self", {}};
+  return DisplayEncoded(linear, scene.exposure, true);
 }
 
 Result<std::filesystem::path> CommittedFile(const std::string& renderer,
@@ -81,28 +75,35 @@ Result<std::filesystem::path> CommittedFile(const std::string& renderer,
 
 }  // namespace
 
+Result<ReferenceSource> FindReferenceSource(const std::string& choice,
+                                            const PreparedScene& scene) {
+  if (choice.empty()) return DefaultSource(scene);
+  ReferenceSource source{choice};
+  if (IsRenderer(choice)) {
+    RTB_ASSIGN_OR_RETURN(source.file, CommittedFile(choice, scene));
+  } else if (choice != "self") {
+    source.file = choice;
+    source.name = source.file.filename().string();
+  }
+  return source;
+}
+
 Result<ReferencePicture> ChooseReference(const std::string& choice,
                                          const PreparedScene& scene,
                                          PixelSize raster,
                                          const std::filesystem::path& cache) {
-  if (choice.empty()) {
-    const DefaultReference chosen = DefaultChoice(scene);
-    RTB_ASSIGN_OR_RETURN(ReferencePicture picture,
-                         ChooseReference(chosen.name, scene, raster, cache));
-    picture.notes = chosen.notes;
-    return picture;
-  }
-  if (choice == "self") return RenderSelf(scene, raster, cache);
+  RTB_ASSIGN_OR_RETURN(ReferenceSource source,
+                       FindReferenceSource(choice, scene));
   ReferencePicture picture;
-  picture.name = choice;
-  picture.file = choice;
-  if (IsRenderer(choice)) {
-    RTB_ASSIGN_OR_RETURN(picture.file, CommittedFile(choice, scene));
+  if (source.file.empty()) {
+    RTB_ASSIGN_OR_RETURN(picture.display, RenderSelf(scene, raster, cache));
   } else {
-    picture.name = picture.file.filename().string();
+    RTB_ASSIGN_OR_RETURN(picture.display,
+                         ReadDisplayed(source.file, scene.exposure));
   }
-  RTB_ASSIGN_OR_RETURN(picture.display,
-                       ReadDisplayed(picture.file, scene.exposure));
+  picture.name = std::move(source.name);
+  picture.file = std::move(source.file);
+  picture.notes = std::move(source.notes);
   Status same =
       CheckAspects({picture.display.width(), picture.display.height()}, raster,
                    "--reference");

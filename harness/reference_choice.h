@@ -18,6 +18,18 @@ struct ReferencePicture {
   std::vector<std::string> notes = {};
 };
 
+/// Where a reference comes from.
+struct ReferenceSource {
+  std::string name;  ///< `povray`, `cycles`, `self`, or a file's name.
+  std::filesystem::path file = {};      ///< Empty for `self`.
+  std::vector<std::string> notes = {};  ///< As ReferencePicture has them.
+};
+
+/// Which reference a choice means for a scene, without reading or rendering
+/// it; the errors are ChooseReference's.
+Result<ReferenceSource> FindReferenceSource(const std::string& choice,
+                                            const PreparedScene& scene);
+
 /// The reference of a scene for a raster of the given size.
 /// @param choice `povray`, `cycles`, `self`, a file, or empty: the first of
 ///   the three that there is. References by name are looked up for the scene's

@@ -38,6 +38,10 @@ Result<std::string> EncodePng(const Image& encoded);
 /// Writes sRGB-encoded values in [0, 1] as 8-bit PNG.
 Status WritePng(const std::filesystem::path& file, const Image& encoded);
 
+/// The bytes of an 8-bit JPEG of sRGB-encoded values in [0, 1], colors at full
+/// resolution. @param quality 1..100.
+Result<std::string> EncodeJpeg(const Image& encoded, int quality);
+
 /// ASCII PPM (P3, 255) of sRGB-encoded values in [0, 1]; at most 70 characters
 /// a line, as the format asks.
 std::string EncodePpm(const Image& encoded);

@@ -35,6 +35,23 @@ Result<std::string> Encode(const std::string& name, const OIIO::ImageSpec& spec,
   return Fail(Failure(name, error.what()));
 }
 
+/// Encodes 8-bit codes, by the attributes of `spec`.
+Result<std::string> EncodeCodes(const std::string& name, OIIO::ImageSpec spec,
+                                const Image& encoded) {
+  std::vector<Rgb8> codes;
+  codes.reserve(encoded.pixels().size());
+  for (const Rgb& color : encoded.pixels()) {
+    codes.push_back(QuantizeEncoded(color));
+  }
+  static_assert(sizeof(Rgb8) == 3);
+  spec.width = spec.full_width = encoded.width();
+  spec.height = spec.full_height = encoded.height();
+  spec.nchannels = 3;
+  spec.set_format(OIIO::TypeDesc::UINT8);
+  spec.default_channel_names();
+  return Encode(name, spec, OIIO::TypeDesc::UINT8, codes.data());
+}
+
 /// Writes what Encode made; its errors are about the file.
 Status WriteEncoded(const std::filesystem::path& file,
                     Result<std::string> bytes) {
@@ -59,15 +76,14 @@ Status WriteExr(const std::filesystem::path& file, const Image& linear,
 }
 
 Result<std::string> EncodePng(const Image& encoded) {
-  std::vector<Rgb8> codes;
-  codes.reserve(encoded.pixels().size());
-  for (const Rgb& color : encoded.pixels()) {
-    codes.push_back(QuantizeEncoded(color));
-  }
-  static_assert(sizeof(Rgb8) == 3);
-  const OIIO::ImageSpec spec(encoded.width(), encoded.height(), 3,
-                             OIIO::TypeDesc::UINT8);
-  return Encode("image.png", spec, OIIO::TypeDesc::UINT8, codes.data());
+  return EncodeCodes("image.png", {}, encoded);
+}
+
+Result<std::string> EncodeJpeg(const Image& encoded, int quality) {
+  OIIO::ImageSpec spec;
+  spec.attribute("Compression", "jpeg:" + std::to_string(quality));
+  spec.attribute("jpeg:subsampling", "4:4:4");
+  return EncodeCodes("image.jpg", spec, encoded);
 }
 
 Status WritePng(const std::filesystem::path& file, const Image& encoded) {

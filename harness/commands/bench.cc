@@ -28,18 +28,6 @@ struct BenchOptions {
   bool quiet = false;
 };
 
-/// The command line of this process.
-std::vector<std::string> CommandLine() {
-  const auto bytes = ReadFile("/proc/self/cmdline");
-  std::vector<std::string> words;
-  if (!bytes) return words;
-  for (std::size_t begin = 0; begin < bytes->size();) {
-    words.emplace_back(bytes->c_str() + begin);
-    begin += words.back().size() + 1;
-  }
-  return words;
-}
-
 /// The glyphs alone.
 std::string PlainText(const CellGrid& grid) {
   std::string text;

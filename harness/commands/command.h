@@ -19,6 +19,7 @@ void AddBench(CLI::App& program, Action& selected);
 void AddRender(CLI::App& program, Action& selected);
 void AddEncode(CLI::App& program, Action& selected);
 void AddScore(CLI::App& program, Action& selected);
+void AddSweep(CLI::App& program, Action& selected);
 void AddReference(CLI::App& program, Action& selected);
 void AddExport(CLI::App& program, Action& selected);
 void AddReport(CLI::App& program, Action& selected);

@@ -3,13 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <memory>
 
 #include "core/base/file.h"
 #include "core/base/posix.h"
+#include "harness/commands/progress.h"
 
 namespace rtb {
 namespace {
@@ -18,37 +17,6 @@ namespace {
 void Occupy(int descriptor, int mode) {
   if (::fcntl(descriptor, F_GETFD) == -1) ::open("/dev/null", mode);
 }
-
-/// A share in percent, rewritten in place on a terminal. Elsewhere a line
-/// every ten seconds, so that short jobs leave nothing in a log.
-class Progress {
- public:
-  Progress() = default;
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress() {
-    if (open_) WriteToStderr("\n");
-  }
-
-  void Show(double share, const std::string& what) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < (in_place_ ? kRefresh : kLogged)) return;
-    last_ = now;
-    const std::string text = Printable(what) + " " +
-                             std::to_string(static_cast<int>(share * 100)) +
-                             " %";
-    WriteToStderr(in_place_ ? "\r\033[K" + text : text + "\n");
-    open_ = in_place_;
-  }
-
- private:
-  static constexpr std::chrono::milliseconds kRefresh{100};
-  static constexpr std::chrono::milliseconds kLogged{10000};
-  bool in_place_ = ::isatty(STDERR_FILENO) != 0;
-  bool open_ = false;
-  std::chrono::steady_clock::time_point last_ =
-      std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -60,12 +28,14 @@ void PrepareConsole() {
 }
 
 void PrintError(const Error& error) {
+  ClearProgress();
   const bool red = ::isatty(STDERR_FILENO) != 0 && !ColorsUnwanted();
   WriteToStderr((red ? "\033[31mrtbench:\033[0m " : "rtbench: ") +
                 error.ToString() + "\n");
 }
 
 void PrintNote(const std::string& text) {
+  ClearProgress();
   WriteToStderr("rtbench: " + Printable(text) + "\n");
 }
 
@@ -101,11 +71,15 @@ bool ColorsUnwanted() {
   return value != nullptr && *value != '\0';
 }
 
-std::function<void(double, const std::string&)> ProgressLine(bool quiet) {
-  if (quiet) return [](double, const std::string&) {};
-  return
-      [line = std::make_shared<Progress>()](
-          double share, const std::string& what) { line->Show(share, what); };
+std::vector<std::string> CommandLine() {
+  const auto bytes = ReadFile("/proc/self/cmdline");
+  std::vector<std::string> words;
+  if (!bytes) return words;
+  for (std::size_t begin = 0; begin < bytes->size();) {
+    words.emplace_back(bytes->c_str() + begin);
+    begin += words.back().size() + 1;
+  }
+  return words;
 }
 
 }  // namespace rtb

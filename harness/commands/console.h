@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 #include "harness/results/run_record_json.h"
@@ -43,10 +44,17 @@ bool OutputIsTerminal();
 /// empty).
 bool ColorsUnwanted();
 
+/// The command line of this process.
+std::vector<std::string> CommandLine();
+
 /// Shows the share of a long job in percent on standard error: a line that is
 /// rewritten in place on a terminal, one line every ten seconds elsewhere.
 /// Prints nothing when `quiet`.
 std::function<void(double share, const std::string& what)> ProgressLine(
+    bool quiet);
+
+/// The same as a bar with the time that is left, as far as the share tells.
+std::function<void(double share, const std::string& what)> ProgressBar(
     bool quiet);
 
 }  // namespace rtb

@@ -35,6 +35,7 @@ void AddCommands(CLI::App& program, Action& selected) {
   AddRender(program, selected);
   AddEncode(program, selected);
   AddScore(program, selected);
+  AddSweep(program, selected);
   AddReference(program, selected);
   AddExport(program, selected);
   AddReport(program, selected);

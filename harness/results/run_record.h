@@ -112,7 +112,7 @@ struct RunRecord {
   std::vector<RunResult> runs;
   RunConditions conditions;
   std::optional<Unit> unit = {};           ///< Of a sweep.
-  std::optional<RunFailure> failure = {};  ///< Then there are no runs.
+  std::optional<RunFailure> failure = {};  ///< Of all runs, or of one.
 };
 
 /// The times of a stage, or nullptr.

@@ -152,6 +152,26 @@ TEST(WriteRender, OtherExtensionsAreErrorsThatListTheseThree) {
   }
 }
 
+// A JPEG keeps flat colors to a code or two, and takes less for less quality.
+TEST(EncodeJpeg, KeepsColorsAndTradesSize) {
+  Image image(32, 32);
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      image.at(x, y) =
+          x < 16 ? Rgb(0.8f, 0.2f, 0.4f)
+                 : Rgb(static_cast<float>((x * 7 + y * 13) % 32) / 32);
+    }
+  }
+  const std::string fine = EncodeJpeg(image, 95).value();
+  const std::string coarse = EncodeJpeg(image, 20).value();
+  EXPECT_LT(coarse.size(), fine.size());
+  EXPECT_EQ(EncodeJpeg(image, 95).value(), fine);
+  const Image read = ReadLinearFromMemory(fine, "a.jpg").value();
+  EXPECT_NEAR(SrgbEncode(read.at(4, 16).x), 0.8f, 3.0 / 255);
+  EXPECT_NEAR(SrgbEncode(read.at(4, 16).y), 0.2f, 3.0 / 255);
+  EXPECT_NEAR(SrgbEncode(read.at(4, 16).z), 0.4f, 3.0 / 255);
+}
+
 TEST(DisplayEncoded, ExposesEncodesAndClips) {
   Image image(2, 1);
   image.at(0, 0) = Rgb(0.25f, 0.5f, 3);
