@@ -21,6 +21,7 @@ void AddEncode(CLI::App& program, Action& selected);
 void AddScore(CLI::App& program, Action& selected);
 void AddReference(CLI::App& program, Action& selected);
 void AddExport(CLI::App& program, Action& selected);
+void AddLive(CLI::App& program, Action& selected);
 void AddList(CLI::App& program, Action& selected);
 /// @}
 

@@ -37,6 +37,7 @@ void AddCommands(CLI::App& program, Action& selected) {
   AddScore(program, selected);
   AddReference(program, selected);
   AddExport(program, selected);
+  AddLive(program, selected);
   AddList(program, selected);
   program.footer(
       "Without a command, bench is run: rtbench --scene=cornell\n"
