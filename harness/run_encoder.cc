@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <optional>
+
+#include "harness/cpu_time.h"
 
 namespace rtb {
 namespace {
-
-/// CPU time of the process so far, in milliseconds.
-double CpuMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 +
-         static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 /// Runs from its construction on.
 class Stopwatch {

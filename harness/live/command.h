@@ -38,6 +38,7 @@ enum class LiveCommand {
   kReset,
   kRedraw,
   kClose,
+  kSuspend,
   kQuit,
 };
 

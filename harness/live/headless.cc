@@ -48,6 +48,8 @@ LiveFigures FiguresOf(const LiveRequest& request, const LiveLoop& loop,
   figures.encode_ms = totals.encode_ms / frames;
   figures.bytes_per_frame = totals.bytes / frames;
   figures.cells_per_frame = totals.cells / frames;
+  figures.differing_cells_per_frame = totals.differ / frames;
+  figures.cpu_ms_per_frame = totals.cpu_ms / frames;
   figures.rays_per_cell = totals.eye_rays_per_cell / frames;
   figures.encoder = request.encoder;
   figures.scene = request.scene.scene;
@@ -125,7 +127,9 @@ Json FiguresToJson(const LiveFigures& figures) {
           {"encode_ms", figures.encode_ms},
           {"bytes_per_frame", figures.bytes_per_frame},
           {"cells_per_frame", figures.cells_per_frame},
+          {"differing_cells_per_frame", figures.differing_cells_per_frame},
           {"rays_per_cell", figures.rays_per_cell},
+          {"cpu_ms_per_frame", figures.cpu_ms_per_frame},
           {"present", figures.present},
           {"encoder", figures.encoder},
           {"scene", figures.scene},

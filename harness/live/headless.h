@@ -28,7 +28,10 @@ struct LiveFigures {
   double encode_ms = 0;
   double bytes_per_frame = 0;
   double cells_per_frame = 0;  ///< That were sent.
-  double rays_per_cell = 0;    ///< Eye rays really traced.
+  /// Whose glyph or colors are not the last frame's.
+  double differing_cells_per_frame = 0;
+  double cpu_ms_per_frame = 0;  ///< Of all threads.
+  double rays_per_cell = 0;     ///< Eye rays really traced.
   std::string present;  ///< `direct`, `ncurses` or `string`, and into what.
   std::string encoder;
   std::string scene;

@@ -88,7 +88,11 @@ bool InputParser::StepEscape(std::vector<InputEvent>* events) {
     return true;
   }
   const AnsiToken token = FirstAnsiToken(buffer_);
-  const bool whole = token.text.size() == buffer_.size();
+  // The ESC of a string's end may have come alone.
+  const std::string_view rest =
+      std::string_view(buffer_).substr(token.text.size());
+  const bool whole = rest.empty() || (token.kind == AnsiKind::kString &&
+                                      rest == std::string_view(&kEsc, 1));
   const bool open =
       token.kind == AnsiKind::kBroken ||
       (token.kind == AnsiKind::kString && !IsTerminated(token.text));

@@ -75,6 +75,10 @@ Result<int> RunLive(const LiveRequest& request) {
   terminal.suspend = [&session, &signals] {
     session->Leave();
     signals.Stop();
+  };
+  // After a stop from outside the shell may have changed the modes.
+  terminal.resume = [&session] {
+    session->Leave();
     static_cast<void>(session->Enter());
   };
   terminal.signals = &signals;

@@ -85,20 +85,33 @@ Status LiveLoop::HandleSignals() {
   while (const auto signal = terminal_.signals->Take()) {
     if (*signal == SIGWINCH) {
       Resized();
-    } else if (*signal == SIGTSTP || *signal == SIGCONT) {
-      if (*signal == SIGTSTP) Drain();
-      terminal_.suspend();
-      while (terminal_.signals->Take()) {  // Its own SIGCONT.
-      }
-      state_.ReleaseKeys();
-      times_.Pause();
-      Resized();
+    } else if (*signal == SIGTSTP) {
+      Suspend();
+    } else if (*signal == SIGCONT) {  // After a stop that nobody could catch.
+      Resume();
     } else {
       signal_ = *signal;
       done_ = true;
     }
   }
   return {};
+}
+
+void LiveLoop::Suspend() {
+  if (!terminal_.suspend) return;
+  Drain();
+  terminal_.suspend();
+  // Its own SIGCONT, and what was pressed to stop it.
+  while (terminal_.signals->Take()) {
+  }
+  Resume();
+}
+
+void LiveLoop::Resume() {
+  if (terminal_.resume) terminal_.resume();
+  state_.ReleaseKeys();
+  times_.Pause();
+  Resized();
 }
 
 void LiveLoop::Resized() {
@@ -153,6 +166,8 @@ void LiveLoop::DoActions() {
       done_ = true;
     } else if (action == LiveCommand::kRedraw) {
       diff_.Invalidate();
+    } else if (action == LiveCommand::kSuspend) {
+      Suspend();
     } else if (action == LiveCommand::kScreenshot) {
       TakeScreenshot();
     } else if (action == LiveCommand::kRecord) {

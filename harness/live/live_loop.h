@@ -48,8 +48,10 @@ struct LoopTerminal {
   Presenter* presenter = nullptr;
   std::function<GridSize()> size;       ///< Asked after SIGWINCH.
   std::function<double()> cell_aspect;  ///< Likewise.
-  std::function<void()> suspend;        ///< Returns when it goes on.
-  SignalCatcher* signals = nullptr;     ///< May be nullptr.
+  /// Gives the terminal back and stops the program; returns when it goes on.
+  std::function<void()> suspend;
+  std::function<void()> resume;      ///< Takes the terminal over again.
+  SignalCatcher* signals = nullptr;  ///< May be nullptr.
 };
 
 /// What a loop has measured, over all of its pictures.
@@ -59,17 +61,19 @@ struct LoopTotals {
   std::vector<double> intervals_ms;
   std::vector<double> draw_ms;  ///< All after encoding.
   double bytes = 0;
-  double cells = 0;
+  double cells = 0;   ///< That were sent.
+  double differ = 0;  ///< Whose glyph or colors are not the last frame's.
   double eye_rays_per_cell = 0;  ///< Sums over frames.
   double render_ms = 0;
   double encode_ms = 0;
+  double cpu_ms = 0;  ///< Of all threads, from the first picture to the last.
 };
 
 /// One session.
 class LiveLoop {
  public:
   /// A picture at rest is good enough with so many rays in every sample.
-  static constexpr int kEnoughPasses = 256;
+  static constexpr int kEnoughPasses = SampleStore::kMostRays;
 
   /// Everything that is referred to must outlive the loop.
   LiveLoop(LiveState state, LoopOptions options, LoopTerminal terminal,
@@ -103,6 +107,8 @@ class LiveLoop {
   void ReadInput();
   void Advance();
   void DoActions();
+  void Suspend();
+  void Resume();
   void Resized();
   void RequestPicture();
   bool PictureWanted() const;
@@ -146,6 +152,7 @@ class LiveLoop {
   std::optional<FrameRequest> requested_;
   double next_request_ = 0;
   double first_drawn_ = 0;
+  double first_cpu_ms_ = 0;
   int drawn_ = 0;             ///< Pictures, warm-up included.
   double last_panel_ = -1e9;  ///< When the figures were read.
   bool resting_ = false;      ///< The last picture was of the same view.

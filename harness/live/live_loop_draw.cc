@@ -2,8 +2,10 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "harness/cpu_time.h"
 #include "harness/live/live_loop.h"
 
 namespace rtb {
@@ -32,14 +34,13 @@ DiffLimits LiveLoop::Limits() const {
   DiffLimits limits;
   if (!state_.view().temporal) return limits;
   // At rest the noise shrinks, and so does what may stay.
-  constexpr int kSettled = 16;
+  constexpr int kSettled = 16;  // Rays of each sample.
   const int passes = resting_ ? frame_->passes : 0;
-  limits.threshold =
-      passes >= kEnoughPasses
-          ? 0
-          : kMovingThreshold *
-                std::min(1.0f, static_cast<float>(kSettled) /
-                                   static_cast<float>(std::max(passes, 1)));
+  if (passes < kEnoughPasses) {
+    limits.threshold =
+        kMovingThreshold *
+        std::sqrt(kSettled / static_cast<float>(std::max(passes, kSettled)));
+  }
   if (options_.paced && fence_.cells_per_second() > 0) {
     constexpr double kFewest = 400;
     limits.budget = static_cast<int>(std::min(
@@ -103,11 +104,16 @@ void LiveLoop::NoteDrawn(double start, std::size_t bytes, std::size_t cells) {
   if (resting_ && frame_->passes >= kEnoughPasses) times_.Pause();
   if (++drawn_ <= options_.warmup) return;
   times_.Add(now);
-  if (totals_.frames == 0) first_drawn_ = now;
+  if (totals_.frames == 0) {
+    first_drawn_ = now;
+    first_cpu_ms_ = CpuMilliseconds();
+  }
   totals_.render_ms += frame_->render_ms;
   totals_.encode_ms += frame_->encode_ms;
   totals_.eye_rays_per_cell += frame_->rays_per_cell;
   totals_.seconds = now - first_drawn_;
+  totals_.cpu_ms = CpuMilliseconds() - first_cpu_ms_;
+  totals_.differ += diff_.differing();
   ++totals_.frames;
   if (options_.frames > 0) totals_.draw_ms.push_back(draw_ms);
   totals_.bytes += static_cast<double>(bytes);

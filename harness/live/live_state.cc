@@ -202,6 +202,7 @@ void LiveState::Apply(LiveCommand command) {
     case LiveCommand::kScreenshot:
     case LiveCommand::kRecord:
     case LiveCommand::kRedraw:
+    case LiveCommand::kSuspend:
     case LiveCommand::kQuit:
       actions_.push_back(command);
       break;

@@ -74,6 +74,7 @@ Result<Fragments> SampleStore::Query(const SamplePlan& plan) {
   }
   asked_ = true;
   if (kept_epoch_ != epoch_ || !Fits(plan)) Reset(plan);
+  if (least_rays() >= kMostRays) return Means();
   const bool whole = share_ >= 1;
   const SamplePlan pass = whole ? WholePass() : PartialPass();
   traced_ += pass.samples();

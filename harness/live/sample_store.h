@@ -19,6 +19,10 @@ namespace rtb {
 /// shows the nearest one that has.
 class SampleStore : public FragmentSource {
  public:
+  /// A picture at rest is good enough with so many rays in every sample; then
+  /// nothing more is traced.
+  static constexpr int kMostRays = 256;
+
   /// Renders a plan. @param pass differs between the frames of an epoch, and
   /// is to give random numbers of its own.
   using Tracer =

@@ -4,10 +4,24 @@
 #include <numeric>
 
 namespace rtb {
+namespace {
+
+int CountDiffering(const CellGrid& a, const CellGrid& b) {
+  if (a.size != b.size) return b.size.cells();
+  int count = 0;
+  for (std::size_t i = 0; i < a.cells.size(); ++i) {
+    count += Canonical(a.cells[i]) == Canonical(b.cells[i]) ? 0 : 1;
+  }
+  return count;
+}
+
+}  // namespace
 
 std::vector<int> ScreenDiff::Select(const CellGrid& wanted,
                                     const DiffLimits& limits) {
   cleared_ = !known_ || wanted.size != shown_.size;
+  differing_ = CountDiffering(wanted_, wanted);
+  wanted_ = wanted;
   if (cleared_) return SendAll(wanted);
   std::vector<Candidate> candidates = Candidates(wanted, limits.threshold);
   const auto budget = static_cast<std::size_t>(std::max(limits.budget, 1));

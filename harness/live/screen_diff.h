@@ -38,6 +38,10 @@ class ScreenDiff {
   /// Whether the screen looks as was last wanted, everywhere.
   bool exact() const { return waiting_ == 0; }
 
+  /// Cells whose glyph or colors differ from those that were wanted before:
+  /// what a comparison of cells would have sent.
+  int differing() const { return differing_; }
+
   /// What the screen shows.
   const CellGrid& shown() const { return shown_; }
 
@@ -52,10 +56,12 @@ class ScreenDiff {
 
   AppearanceTable table_;
   CellGrid shown_;
+  CellGrid wanted_;        ///< Last.
   std::vector<int> ages_;  ///< Frames for which a cell has differed.
   bool known_ = false;
   bool cleared_ = false;
   int waiting_ = 0;
+  int differing_ = 0;
 };
 
 }  // namespace rtb

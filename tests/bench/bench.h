@@ -30,4 +30,8 @@ void RegisterAdaptiveBenchmarks();
 /// `render/SCENE` for every scene of the repository, with `rays_per_second`.
 void RegisterRenderBenchmarks();
 
+/// `rayterm/path`: the work that RAYTERM's CPU prototype was timed on, on one
+/// core.
+void RegisterRaytermBenchmarks();
+
 }  // namespace rtb

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   rtb::RegisterEncodeBenchmarks();
   rtb::RegisterAdaptiveBenchmarks();
   rtb::RegisterRenderBenchmarks();
+  rtb::RegisterRaytermBenchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

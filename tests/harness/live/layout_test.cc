@@ -36,7 +36,7 @@ TEST(Layout, EverySizeLeavesAPicture) {
 }
 
 TEST(Text, ControlCharactersBecomeQuestionMarks) {
-  EXPECT_EQ(Glyphs("a\x1b[2J\x07\xC2\x9B"), U"a?[2J??");
+  EXPECT_EQ(Glyphs("a\x1b[2J\x07\xC2\x9B"), U"a?[2J???");
   EXPECT_EQ(Glyphs("é▀"), U"é▀");
   EXPECT_EQ(Glyphs("\xFF\xFE"), U"??");
   EXPECT_EQ(Glyphs("漢"), U"?");  // Two columns wide.

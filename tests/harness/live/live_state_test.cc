@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/check.h"
 #include "core/scene/load.h"
 
 namespace rtb {
