@@ -101,8 +101,8 @@ void SampleStore::Reset(const SamplePlan& plan) {
     order_.resize(static_cast<std::size_t>(plan.samples_per_cell));
     std::iota(order_.begin(), order_.end(), 0);
     if (plan.uniform()) order_ = FarthestFirst(plan.positions);
-    turn_ = 0;
   }
+  turn_ = 0;  // The same positions in each frame of a moving view: no flicker.
   kept_epoch_ = epoch_;
   pass_ = 0;
   sums_.assign(plan.samples(), Rgb(0));
