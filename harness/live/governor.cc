@@ -30,6 +30,7 @@ void Governor::Describe(int spp, double samples) {
 
 void Governor::Settle() {
   mean_ms_ = 0;
+  mean_encode_ms_ = 0;
   frames_ = 0;
 }
 
@@ -37,12 +38,14 @@ double Governor::LeastEffort() const {
   return std::min(1.0, kRaysPerCell / (spp_ * samples_));
 }
 
-void Governor::Note(double milliseconds) {
-  if (target_fps_ <= 0 || milliseconds <= 0) return;
-  ++frames_;
+void Governor::Note(double render_ms, double encode_ms) {
+  const double all_ms = render_ms + encode_ms;
+  if (target_fps_ <= 0 || !(all_ms > 0)) return;
   constexpr double kWeight = 0.3;
-  mean_ms_ = mean_ms_ == 0 ? milliseconds
-                           : mean_ms_ + kWeight * (milliseconds - mean_ms_);
+  const double weight = frames_ == 0 ? 1 : kWeight;
+  ++frames_;
+  mean_ms_ += weight * (all_ms - mean_ms_);
+  mean_encode_ms_ += weight * (encode_ms - mean_encode_ms_);
   if (frames_ < 3) return;  // One frame may be an accident.
   const double ratio = 1e3 * kFill / target_fps_ / mean_ms_;
   if (ratio < 1 - kTolerance) Slow(ratio);
@@ -50,10 +53,12 @@ void Governor::Note(double milliseconds) {
 }
 
 void Governor::Slow(double ratio) {
-  if (effort_ > LeastEffort()) {
-    effort_ = std::max(effort_ * std::max(ratio, 0.4), LeastEffort());
-  } else if (row_step_ < kMaxRowStep) {
+  const bool encoding = mean_encode_ms_ > mean_ms_ / 2;
+  const bool at_least = effort_ <= LeastEffort();
+  if (row_step_ < kMaxRowStep && (encoding || at_least)) {
     row_step_ *= 2;
+  } else if (!at_least) {
+    effort_ = std::max(effort_ * std::max(ratio, 0.4), LeastEffort());
   } else {
     return;
   }

@@ -42,6 +42,36 @@ DepthChoice DepthOf(const LiveRequest& request, const Terminfo& info,
       {info.name, request.color_term, request.no_color, info.colors}, caps);
 }
 
+LoopOptions OptionsOf(const LiveRequest& request, const TerminalCaps& caps,
+                      const DepthChoice& choice) {
+  LoopOptions options;
+  options.target_fps = request.target_fps;
+  options.sync = request.sync && caps.sync;
+  options.fence = caps.answered;
+  options.depth = choice.depth;
+  options.color_reason = choice.reason;
+  return options;
+}
+
+/// The session as the loop sees it; both must outlive what is returned.
+LoopTerminal TerminalOf(TerminalSession* session, SignalCatcher* signals) {
+  LoopTerminal terminal;
+  terminal.input = session->fd();
+  terminal.size = [session] { return session->size(); };
+  terminal.cell_aspect = [session] { return session->cell_aspect(); };
+  terminal.suspend = [session, signals] {
+    session->Leave();
+    signals->Stop();
+  };
+  // After a stop from outside the shell may have changed the modes.
+  terminal.resume = [session] {
+    session->Leave();
+    static_cast<void>(session->Enter());
+  };
+  terminal.signals = signals;
+  return terminal;
+}
+
 const char* YesNo(bool yes) { return yes ? "yes\n" : "no\n"; }
 
 }  // namespace
@@ -60,28 +90,10 @@ Result<int> RunLive(const LiveRequest& request) {
   RTB_ASSIGN_OR_RETURN(const auto presenter,
                        MakePresenter(request, choice.depth, session->size()));
   OutputQueue queue(session->fd());
-  LoopOptions options;
-  options.target_fps = request.target_fps;
-  options.sync = request.sync && caps.sync;
-  options.fence = caps.answered;
-  options.depth = choice.depth;
-  options.color_reason = choice.reason;
-  LoopTerminal terminal;
-  terminal.input = session->fd();
+  LoopTerminal terminal = TerminalOf(session.get(), &signals);
   terminal.output = &queue;
   terminal.presenter = presenter.get();
-  terminal.size = [&session] { return session->size(); };
-  terminal.cell_aspect = [&session] { return session->cell_aspect(); };
-  terminal.suspend = [&session, &signals] {
-    session->Leave();
-    signals.Stop();
-  };
-  // After a stop from outside the shell may have changed the modes.
-  terminal.resume = [&session] {
-    session->Leave();
-    static_cast<void>(session->Enter());
-  };
-  terminal.signals = &signals;
+  const LoopOptions options = OptionsOf(request, caps, choice);
   LiveLoop loop(std::move(state), options, terminal, wake);
   loop.FeedInput(session->TakeEarlyInput());
   if (!request.record.empty()) {

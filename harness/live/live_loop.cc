@@ -53,6 +53,7 @@ Status LiveLoop::Round() {
   DoActions();
   RTB_RETURN_IF_ERROR(terminal_.output->Flush());
   RTB_RETURN_IF_ERROR(TakePicture());
+  if (state_.modes().quality != (quality_ != nullptr)) JudgeQuality();
   RequestPicture();  // Before drawing: both go on at the same time.
   if (MayDraw()) RTB_RETURN_IF_ERROR(Draw());
   RequestPicture();
@@ -257,7 +258,7 @@ void LiveLoop::NotePicture() {
   }
   const RayBudget& budget = frame.request.budget;
   if (!frame.loaded && budget == governor_.budget()) {
-    governor_.Note(frame.render_ms + frame.encode_ms);
+    governor_.Note(frame.render_ms, frame.encode_ms);
   }
   governor_.Describe(frame.request.view.spp, frame.samples_per_cell);
   render_ms_.Add(frame.render_ms);
@@ -273,7 +274,7 @@ void LiveLoop::NotePicture() {
 }
 
 void LiveLoop::JudgeQuality() {
-  if (!state_.modes().quality) {
+  if (!state_.modes().quality || !frame_) {
     quality_.reset();
     return;
   }

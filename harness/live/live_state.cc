@@ -15,6 +15,8 @@ constexpr double kStepSeconds = 1.0 / 24;
 constexpr double kLatest = 1e9;       // Seconds; the command line's limit.
 constexpr double kOrbitSpeed = 0.35;  // Radians per second.
 constexpr int kMostSamples = 256;
+constexpr double kDividerStep = 0.05;  // Of the columns.
+constexpr double kExposureStep = 0.25;
 
 /// The entry after (or before) a value in a list, around its ends.
 std::string Neighbor(const std::vector<std::string>& list,
@@ -45,80 +47,6 @@ LiveState::LiveState(LiveView view, LiveChoices choices)
   }
 }
 
-void LiveState::Handle(const InputEvent& event, double now) {
-  if (const auto* key = std::get_if<KeyEvent>(&event)) HandleKey(*key, now);
-  if (const auto* mouse = std::get_if<MouseEvent>(&event)) HandleMouse(*mouse);
-}
-
-void LiveState::HandleKey(const KeyEvent& key, double now) {
-  if (key.key == kKeyShift) {
-    held_.NoteShift(key.action != KeyAction::kRelease);
-    return;
-  }
-  const auto motion = FindMotion(key);
-  if (motion && !modes_.picker) {
-    if (Camera() != nullptr) held_.Note(*motion, key, now);
-    return;
-  }
-  if (key.action == KeyAction::kRelease) return;
-  const auto command = FindCommand(key);
-  if (modes_.picker && command != LiveCommand::kQuit) {
-    HandlePicker(key);
-  } else if (key.key == kKeyPageUp || key.key == kKeyPageDown) {
-    if (FreeCamera* camera = Camera()) {
-      camera->Zoom(key.key == kKeyPageUp ? -1 : 1);
-    }
-  } else if (command) {
-    Apply(*command);
-  }
-}
-
-void LiveState::HandlePicker(const KeyEvent& key) {
-  const std::size_t count = choices_.scenes.size();
-  if (key.key == kKeyEscape || key.key == U'l' || count == 0) {
-    modes_.picker = false;
-  } else if (key.key == kKeyUp) {
-    modes_.picked = (modes_.picked + count - 1) % count;
-  } else if (key.key == kKeyDown) {
-    modes_.picked = (modes_.picked + 1) % count;
-  } else if (key.key == kKeyEnter) {
-    modes_.picker = false;
-    view_.scene = choices_.scenes[modes_.picked];
-    Log("scene " + view_.scene);
-    Reset();
-  }
-}
-
-void LiveState::HandleMouse(const MouseEvent& mouse) {
-  if (mouse.action == MouseAction::kWheelUp ||
-      mouse.action == MouseAction::kWheelDown) {
-    if (FreeCamera* camera = Camera()) {
-      camera->Zoom(mouse.action == MouseAction::kWheelUp ? -1 : 1);
-    }
-    return;
-  }
-  if (mouse.action == MouseAction::kRelease) {
-    mouse_.reset();
-    return;
-  }
-  if (mouse.action == MouseAction::kPress) {
-    mouse_ = mouse;
-    dragging_divider_ =
-        view_.split && std::abs(mouse.column - view_.divider) <= 1;
-    return;
-  }
-  if (!mouse_) return;
-  if (dragging_divider_) {
-    MoveDivider((mouse.column + 0.5) / std::max(view_.grid.columns, 1));
-  } else if (FreeCamera* camera = Camera()) {
-    // What is under the pointer stays under it.
-    const double row = 2 * camera->frame().tan_half_vfov / view_.grid.rows;
-    camera->Look((mouse_->column - mouse.column) * row * view_.cell_aspect,
-                 (mouse.row - mouse_->row) * row);
-  }
-  mouse_ = mouse;
-}
-
 void LiveState::Apply(LiveCommand command) {
   switch (command) {
     case LiveCommand::kHelp:
@@ -128,20 +56,14 @@ void LiveState::Apply(LiveCommand command) {
       modes_.panel = !modes_.panel;
       Arrange();
       break;
-    case LiveCommand::kNextEncoder:
-      ChangeEncoder(1);
-      break;
-    case LiveCommand::kPreviousEncoder:
-      ChangeEncoder(-1);
-      break;
     case LiveCommand::kSplit:
       Split();
       break;
     case LiveCommand::kDividerLeft:
-      MoveDivider(divider_ - 0.05);
+      MoveDivider(divider_ - kDividerStep);
       break;
     case LiveCommand::kDividerRight:
-      MoveDivider(divider_ + 0.05);
+      MoveDivider(divider_ + kDividerStep);
       break;
     case LiveCommand::kSwapSides:
       modes_.side = split_ ? 1 - modes_.side : 0;
@@ -150,62 +72,64 @@ void LiveState::Apply(LiveCommand command) {
       modes_.picker = true;
       modes_.help = false;
       break;
-    case LiveCommand::kIntegrator:
-      view_.integrator = view_.integrator == "path" ? "whitted" : "path";
-      Log("integrator " + view_.integrator);
-      break;
-    case LiveCommand::kMoreSamples:
-      ChangeSamples(true);
-      break;
-    case LiveCommand::kFewerSamples:
-      ChangeSamples(false);
-      break;
-    case LiveCommand::kBackend:
-      NextBackend();
-      break;
-    case LiveCommand::kBrighter:
-      ChangeExposure(0.25);
-      break;
-    case LiveCommand::kDarker:
-      ChangeExposure(-0.25);
-      break;
-    case LiveCommand::kColorDepth:
-      ChangeDepth();
-      break;
-    case LiveCommand::kPause:
-      modes_.playing = !modes_.playing;
-      Log(modes_.playing ? "playing" : "paused");
-      break;
-    case LiveCommand::kStep:
-      StepOnce();
-      break;
-    case LiveCommand::kOrbit:
-      modes_.orbit = !modes_.orbit && Camera() != nullptr;
-      break;
-    case LiveCommand::kTemporal:
-      view_.temporal = !view_.temporal;
-      Log(std::string("temporal stability") + OnOff(view_.temporal));
+    case LiveCommand::kQuality:
+      modes_.quality = !modes_.quality;
       break;
     case LiveCommand::kGovernor:
       modes_.governor = !modes_.governor;
       Log(std::string("governor") + OnOff(modes_.governor));
       break;
-    case LiveCommand::kQuality:
-      modes_.quality = !modes_.quality;
-      break;
-    case LiveCommand::kReset:
-      Reset();
-      break;
     case LiveCommand::kClose:
       modes_.help = false;
       break;
-    case LiveCommand::kScreenshot:
-    case LiveCommand::kRecord:
-    case LiveCommand::kRedraw:
-    case LiveCommand::kSuspend:
-    case LiveCommand::kQuit:
-      actions_.push_back(command);
-      break;
+    default:
+      ApplyToView(command);
+  }
+}
+
+void LiveState::ApplyToView(LiveCommand command) {
+  switch (command) {
+    case LiveCommand::kNextEncoder:
+      return ChangeEncoder(1);
+    case LiveCommand::kPreviousEncoder:
+      return ChangeEncoder(-1);
+    case LiveCommand::kIntegrator:
+      view_.integrator = view_.integrator == "path" ? "whitted" : "path";
+      return Log("integrator " + view_.integrator);
+    case LiveCommand::kMoreSamples:
+      return ChangeSamples(true);
+    case LiveCommand::kFewerSamples:
+      return ChangeSamples(false);
+    case LiveCommand::kBackend:
+      return NextBackend();
+    case LiveCommand::kBrighter:
+      return ChangeExposure(kExposureStep);
+    case LiveCommand::kDarker:
+      return ChangeExposure(-kExposureStep);
+    case LiveCommand::kColorDepth:
+      return ChangeDepth();
+    case LiveCommand::kTemporal:
+      view_.temporal = !view_.temporal;
+      return Log(std::string("temporal stability") + OnOff(view_.temporal));
+    case LiveCommand::kReset:
+      return Reset();
+    default:
+      ApplyToMovement(command);
+  }
+}
+
+void LiveState::ApplyToMovement(LiveCommand command) {
+  switch (command) {
+    case LiveCommand::kPause:
+      modes_.playing = !modes_.playing;
+      return Log(modes_.playing ? "playing" : "paused");
+    case LiveCommand::kStep:
+      return StepOnce();
+    case LiveCommand::kOrbit:
+      modes_.orbit = !modes_.orbit && Camera() != nullptr;
+      return;
+    default:
+      actions_.push_back(command);  // Not the state's.
   }
 }
 

@@ -84,6 +84,8 @@ class LiveState {
   const std::deque<std::string>& log() const { return log_; }
 
  private:
+  void ApplyToView(LiveCommand command);
+  void ApplyToMovement(LiveCommand command);
   void HandleKey(const KeyEvent& key, double now);
   void HandlePicker(const KeyEvent& key);
   void HandleMouse(const MouseEvent& mouse);
