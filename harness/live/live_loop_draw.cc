@@ -16,6 +16,18 @@ constexpr double kPanelSeconds = 0.5;
 // Difference in look that may wait while the picture moves.
 constexpr float kMovingThreshold = 6;
 
+/// How much more or less difference may wait with so many rays in every sample
+/// of a picture at rest. The first few change much; then the noise shrinks with
+/// the square root, and so does what may stay; in the end nothing may.
+float Patience(int passes) {
+  constexpr int kFew = 4;
+  constexpr int kSettled = 32;
+  if (passes >= LiveLoop::kEnoughPasses) return 0;
+  if (passes > 0 && passes < kFew) return 2;
+  return std::sqrt(static_cast<float>(kSettled) /
+                   static_cast<float>(std::max(passes, kSettled)));
+}
+
 }  // namespace
 
 bool LiveLoop::Leftovers() const {
@@ -33,14 +45,9 @@ bool LiveLoop::MayDraw() {
 DiffLimits LiveLoop::Limits() const {
   DiffLimits limits;
   if (!state_.view().temporal) return limits;
-  // At rest the noise shrinks, and so does what may stay.
-  constexpr int kSettled = 16;  // Rays of each sample.
   const int passes = resting_ ? frame_->passes : 0;
-  if (passes < kEnoughPasses) {
-    limits.threshold =
-        kMovingThreshold *
-        std::sqrt(kSettled / static_cast<float>(std::max(passes, kSettled)));
-  }
+  if (resting_) limits.oldest = 4 * kEnoughPasses;  // The end sends it all.
+  limits.threshold = kMovingThreshold * Patience(passes);
   if (options_.paced && fence_.cells_per_second() > 0) {
     constexpr double kFewest = 400;
     limits.budget = static_cast<int>(std::min(

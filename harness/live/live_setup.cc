@@ -60,11 +60,16 @@ Result<LiveState> MakeLiveState(const LiveRequest& request) {
 Result<std::unique_ptr<Presenter>> MakePresenter(const LiveRequest& request,
                                                  ColorDepth depth,
                                                  GridSize size) {
-  const bool ncurses = request.present == PresentMode::kNcurses ||
-                       (request.present == PresentMode::kAuto &&
-                        depth != ColorDepth::kTruecolor);
-  if (!ncurses) return MakeDirectPresenter(depth);
-  return MakeNcursesPresenter(request.term, depth, size);
+  if (request.present == PresentMode::kNcurses) {
+    return MakeNcursesPresenter(request.term, depth, size);
+  }
+  if (request.present == PresentMode::kAuto &&
+      depth != ColorDepth::kTruecolor) {
+    auto ncurses = MakeNcursesPresenter(request.term, depth, size);
+    if (ncurses) return ncurses;
+    // Colors were forced that terminfo does not know of.
+  }
+  return MakeDirectPresenter(depth);
 }
 
 void UseUtf8Locale() {

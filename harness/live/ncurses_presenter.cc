@@ -135,6 +135,14 @@ Result<std::unique_ptr<Presenter>> MakeNcursesPresenter(const std::string& term,
     RTB_ASSIGN_OR_RETURN(entry, DirectEntry());
   }
   RTB_ASSIGN_OR_RETURN(auto screen, NcursesScreen::Open(entry, size));
+  // With 8 colors the bright ones are bold.
+  const int least = depth == ColorDepth::k256 ? 256 : 8;
+  if (depth != ColorDepth::kMono && screen->colors() < least) {
+    return Fail(BadInput("--color",
+                         "the terminal '" + entry + "' has " +
+                             std::to_string(screen->colors()) + " colors",
+                         "name fewer, or --present=direct"));
+  }
   return std::make_unique<NcursesPresenter>(std::move(screen), depth, size);
 }
 

@@ -23,7 +23,7 @@ std::vector<int> ScreenDiff::Select(const CellGrid& wanted,
   differing_ = CountDiffering(wanted_, wanted);
   wanted_ = wanted;
   if (cleared_) return SendAll(wanted);
-  std::vector<Candidate> candidates = Candidates(wanted, limits.threshold);
+  std::vector<Candidate> candidates = Candidates(wanted, limits);
   const auto budget = static_cast<std::size_t>(std::max(limits.budget, 1));
   if (candidates.size() > budget) {
     std::nth_element(candidates.begin(),
@@ -59,7 +59,7 @@ std::vector<int> ScreenDiff::SendAll(const CellGrid& wanted) {
 }
 
 std::vector<ScreenDiff::Candidate> ScreenDiff::Candidates(
-    const CellGrid& wanted, float threshold) {
+    const CellGrid& wanted, const DiffLimits& limits) {
   std::vector<Candidate> candidates;
   waiting_ = 0;
   for (std::size_t i = 0; i < wanted.cells.size(); ++i) {
@@ -75,7 +75,7 @@ std::vector<ScreenDiff::Candidate> ScreenDiff::Candidates(
     }
     ++waiting_;
     ++ages_[i];
-    if (difference <= threshold && ages_[i] < kOldest) continue;
+    if (difference <= limits.threshold && ages_[i] < limits.oldest) continue;
     // What has waited long counts more, so that nothing waits for ever.
     candidates.push_back(
         {difference * static_cast<float>(ages_[i]), static_cast<int>(i)});

@@ -15,16 +15,15 @@ struct DiffLimits {
   /// RMS over a cell's look in 8-bit values; what is less may wait. 0: send
   /// whatever looks different.
   float threshold = 0;
+  /// Frames after which a cell that differs is sent, however little.
+  int oldest = 30;
   /// Cells a frame; the largest differences come first.
   int budget = std::numeric_limits<int>::max();
 };
 
-/// Knows what a terminal shows. A cell that differs is sent after kOldest
-/// frames at the latest, however little, as far as the budget goes.
+/// Knows what a terminal shows.
 class ScreenDiff {
  public:
-  static constexpr int kOldest = 30;
-
   /// Chooses the cells of `wanted` to send, by rising index, and takes them
   /// for sent. A new size makes everything unknown.
   std::vector<int> Select(const CellGrid& wanted, const DiffLimits& limits);
@@ -52,7 +51,8 @@ class ScreenDiff {
   };
 
   std::vector<int> SendAll(const CellGrid& wanted);
-  std::vector<Candidate> Candidates(const CellGrid& wanted, float threshold);
+  std::vector<Candidate> Candidates(const CellGrid& wanted,
+                                    const DiffLimits& limits);
 
   AppearanceTable table_;
   CellGrid shown_;

@@ -34,4 +34,8 @@ void RegisterRenderBenchmarks();
 /// core.
 void RegisterRaytermBenchmarks();
 
+/// `live/draw/PRESENTER`: drawing 120 x 40 cells of which each has changed,
+/// writing to the terminal apart.
+void RegisterLiveBenchmarks();
+
 }  // namespace rtb

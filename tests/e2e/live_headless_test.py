@@ -66,6 +66,8 @@ class HeadlessTest(ProgramTest):
         self.assertEqual(figures["present"], "ncurses, pseudo terminal")
         self.fail_with(2, "live", "--headless", "--present=ncurses",
                        "--color=256", env={"TERM": "no-such"}, says="no-such")
+        self.fail_with(2, "live", "--headless", "--present=ncurses",
+                       "--color=256", env={"TERM": "xterm"}, says="8 colors")
 
     def test_split_panel_path_and_recording(self):
         self.figures("--encoder=quadrant,half", "--panel", "--grid=80x12",

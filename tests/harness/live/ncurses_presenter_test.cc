@@ -75,7 +75,11 @@ class NcursesPresenterTest : public testing::Test {
     }
     const auto shown = ParseAnsi(sent, size);
     ASSERT_TRUE(shown.has_value()) << shown.error().ToString();
-    EXPECT_EQ(Canonical(*shown), Canonical(grid));
+    // Cells that look alike are not sent: a full block for a space, say.
+    AppearanceTable table;
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+      EXPECT_EQ(table.Difference(shown->cells[i], grid.cells[i]), 0) << i;
+    }
   }
 };
 
