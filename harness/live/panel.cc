@@ -85,9 +85,11 @@ void AddRays(const LiveState& state, const LiveReadings& r,
              std::vector<std::u32string>* lines) {
   lines->push_back(Format("rays     %.2f M/s", r.rays_per_second * 1e-6));
   lines->push_back(Format("         %.2f per cell traced", r.rays_per_cell));
-  if (r.share < 1 || r.row_step > 1) {
-    lines->push_back(Format("governor %.0f %% of samples, rows 1/%d",
+  if (r.row_step > 1) {
+    lines->push_back(Format("governor %.0f %% of samples, rows/%d",
                             r.share * 100, r.row_step));
+  } else if (r.share < 1) {
+    lines->push_back(Format("governor %.0f %% of samples", r.share * 100));
   } else {
     lines->push_back(state.modes().governor ? U"governor all samples"
                                             : U"governor off");
@@ -108,13 +110,22 @@ void DrawHelp(ColorDepth depth, CellGrid* screen) {
   for (const KeyBinding& row : KeyBindings()) {
     if (row.label != nullptr) lines.push_back({row.label, row.text});
   }
+  // In two columns where one is too high.
+  constexpr int kColumn = 40;
+  const int count = static_cast<int>(lines.size());
+  const bool two = count + 2 > screen->size.rows;
+  const int rows = two ? (count + 1) / 2 : count;
   const CellRect rect =
-      Centered(screen->size, 46, static_cast<int>(lines.size()) + 2);
+      Centered(screen->size, two ? 2 * kColumn : kColumn + 2, rows + 2);
   FillRect(rect, Nearest(kBackground, depth), screen);
-  int row = rect.rows > static_cast<int>(lines.size()) ? 1 : 0;
-  for (const HelpLine& line : lines) {
-    DrawText(rect, 2, row, Glyphs(line.label), Colors(kBright, depth), screen);
-    DrawText(rect, 11, row++, Glyphs(line.text), Colors(kForeground, depth),
+  const int top = rect.rows > rows ? 1 : 0;
+  for (int i = 0; i < count; ++i) {
+    const HelpLine& line = lines[static_cast<std::size_t>(i)];
+    const int left = i / rows * kColumn + 1;
+    const int row = top + i % rows;
+    DrawText(rect, left, row, Glyphs(line.label), Colors(kBright, depth),
+             screen);
+    DrawText(rect, left + 9, row, Glyphs(line.text), Colors(kForeground, depth),
              screen);
   }
 }
@@ -184,7 +195,7 @@ std::vector<std::u32string> PanelLines(const LiveState& state,
                          r.encode_ms, r.draw_ms));
   lines.push_back(r.graph);
   AddRays(state, r, &lines);
-  lines.push_back(Format("out      %.2f MB/s  %.1f KB a frame",
+  lines.push_back(Format("out      %.1f MB/s  %.1f KB each",
                          r.bytes_per_second * 1e-6, r.bytes_per_frame * 1e-3));
   lines.push_back(Format("         %.0f %% of cells", r.changed * 100));
   if (r.ack_ms > 0) lines.push_back(Format("terminal %.1f ms", r.ack_ms));

@@ -34,7 +34,7 @@ void TerminalCaps::Note(const ReplyEvent& reply) {
 
 DepthChoice ChooseDepth(const TerminalHints& hints, const TerminalCaps& caps) {
   if (hints.no_color) return {ColorDepth::kMono, "NO_COLOR"};
-  if (caps.truecolor) return {ColorDepth::kTruecolor, "the terminal says so"};
+  if (caps.truecolor) return {ColorDepth::kTruecolor, "answered"};
   if (hints.color_term == "truecolor" || hints.color_term == "24bit") {
     return {ColorDepth::kTruecolor, "COLORTERM"};
   }

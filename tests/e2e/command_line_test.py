@@ -9,7 +9,7 @@ from pictures import gradient, png
 from program import ProgramTest
 
 COMMANDS = ["bench", "render", "encode", "score", "reference", "export",
-            "list"]
+            "live", "list"]
 LISTS = ["encoders", "scenes", "backends", "metrics", "glyphs"]
 
 
