@@ -36,7 +36,11 @@ Status RunTemporal(const SweepUnit& unit, Workbench& bench,
                    const UnitProgress& progress, UnitOutcome& outcome);
 Status RunTiming(const SweepUnit& unit, Workbench& bench,
                  const UnitProgress& progress, UnitOutcome& outcome);
+Status RunLive(const SweepUnit& unit, Workbench& bench, UnitOutcome& outcome);
 /// @}
+
+/// One picture by the unit's encoder, not scored: what its frames take.
+Result<BenchResult> DrawOnce(const SweepUnit& unit, Workbench& bench);
 
 /// An Error as records keep it. @param encoder the SPEC that failed, if any.
 RunFailure ToFailure(const Error& error, const std::string& encoder);

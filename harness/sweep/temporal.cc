@@ -7,10 +7,9 @@
 
 namespace rtb {
 
-Status RunTemporal(const SweepUnit& unit, Workbench& bench,
-                   const UnitProgress& progress, UnitOutcome& outcome) {
-  const std::string& encoder = unit.configuration.encoders.front();
-  RTB_ASSIGN_OR_RETURN(const EncoderSpec spec, ParseEncoderSpec(encoder));
+Result<BenchResult> DrawOnce(const SweepUnit& unit, Workbench& bench) {
+  RTB_ASSIGN_OR_RETURN(const EncoderSpec spec,
+                       ParseEncoderSpec(unit.configuration.encoders.front()));
   std::vector<Configuration> one(1);
   RTB_ASSIGN_OR_RETURN(one.front(), MakeConfiguration(spec));
   RTB_ASSIGN_OR_RETURN(const PreparedScene* const scene, bench.Scene(unit));
@@ -18,13 +17,17 @@ Status RunTemporal(const SweepUnit& unit, Workbench& bench,
   request.score = false;
   ReferencePicture self;
   self.name = "self";
-  // The first frame says what a frame takes.
-  RTB_ASSIGN_OR_RETURN(BenchResult result,
-                       Bench(
-                           request, {*scene, self, Image()},
-                           [](double, const std::string&) {}, one));
-  TemporalRequest moving{*scene, encoder, request.grid, request.depth,
-                         request.decode};
+  return Bench(
+      request, {*scene, self, Image()}, [](double, const std::string&) {}, one);
+}
+
+Status RunTemporal(const SweepUnit& unit, Workbench& bench,
+                   const UnitProgress& progress, UnitOutcome& outcome) {
+  RTB_ASSIGN_OR_RETURN(BenchResult result, DrawOnce(unit, bench));
+  RTB_ASSIGN_OR_RETURN(const PreparedScene* const scene, bench.Scene(unit));
+  const BenchRequest request = RequestOf(unit, bench.threads());
+  TemporalRequest moving{*scene, unit.configuration.encoders.front(),
+                         request.grid, request.depth, request.decode};
   moving.frames = unit.frames;
   moving.fps = unit.fps;
   moving.cache = request.cache;
