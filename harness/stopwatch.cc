@@ -1,19 +1,8 @@
 #include "harness/stopwatch.h"
 
-#include <ctime>
+#include "harness/cpu_time.h"
 
 namespace rtb {
-namespace {
-
-/// CPU time of the process so far, in milliseconds.
-double CpuMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 +
-         static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-}  // namespace
 
 Cost operator+(const Cost& a, const Cost& b) {
   return {a.wall_ms + b.wall_ms, a.cpu_ms + b.cpu_ms};

@@ -1,12 +1,16 @@
 #!/usr/bin/python3
-"""Makes the README's picture and table from a run of the main job, so that
-they cannot drift from what the program does.
+"""Makes the README's picture and tables, so that they cannot drift from what
+the program does and from the results that are kept.
 
-    scripts/readme.py            runs build/release/rtbench, rewrites both
+    scripts/readme.py            runs build/release/rtbench, rewrites all
+    scripts/readme.py --results  rewrites what comes from results/ alone
     scripts/readme.py --check    says whether the README's figures still hold
 
-The table is the program's own output. --check compares what does not depend on
-the machine (rays, MSE, PSNR, SSIM, FLIP) and exits 1 when it differs.
+The first table is the main job's own output; --check compares what does not
+depend on the machine (rays, MSE, PSNR, SSIM, FLIP). What stands between the
+marks <!-- results --> and <!-- /results --> is results/report/overview.md, as
+scripts/results wrote it; --check wants the very same text. Exits 1 when
+something differs.
 """
 
 import argparse
@@ -23,6 +27,21 @@ JOB = ["--encoder=half,quadrant,search,tiv,sextant,octant,braille,optimal,"
        "adaptive", "--scene=cornell", "--quiet"]
 TABLE = re.compile(r"(?<=<!-- table -->\n```\n).*?(?=```\n<!-- /table -->)",
                    re.DOTALL)
+
+
+RESULTS = ROOT / "results" / "report" / "overview.md"
+QUOTED = re.compile(r"(?<=<!-- results -->\n).*?(?=<!-- /results -->)",
+                    re.DOTALL)
+
+
+def with_results(text):
+    """The README with the kept results' overview between its marks."""
+    if not QUOTED.search(text):
+        return text
+    if not RESULTS.exists():
+        sys.exit(f"{RESULTS} is missing; scripts/results makes it")
+    overview = RESULTS.read_text(encoding="utf-8").strip()
+    return QUOTED.sub(lambda _: f"\n{overview}\n\n", text)
 
 
 def run(program, *arguments):
@@ -67,12 +86,19 @@ def main():
     parser.add_argument("--program", type=Path,
                         default=ROOT / "build" / "release" / "rtbench")
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--results", action="store_true")
     options = parser.parse_args()
-    text = README.read_text()
+    text = README.read_text(encoding="utf-8")
+    if options.results:
+        README.write_text(with_results(text), encoding="utf-8")
+        return
     found = TABLE.search(text)
     if not found:
         sys.exit(f"{README}: no table between <!-- table --> marks")
     if options.check:
+        if with_results(text) != text:
+            sys.exit(f"{README}: what stands between <!-- results --> marks "
+                     f"is not {RESULTS}; run scripts/readme.py --results")
         fresh = lasting_figures(
             table_of(run(options.program, *JOB, "--repeat=1")))
         shown = lasting_figures(found.group())
@@ -82,7 +108,8 @@ def main():
                          f"gives {fresh.get(name)}; run scripts/readme.py")
         return
     table = table_of(run(options.program, *JOB, "--repeat=30"))
-    README.write_text(TABLE.sub(lambda _: table, text))
+    README.write_text(with_results(TABLE.sub(lambda _: table, text)),
+                      encoding="utf-8")
     make_picture(options.program)
 
 

@@ -44,13 +44,10 @@ RTB_HD inline std::uint32_t ScrambleReversed(std::uint32_t v,
 /// with its bits in opposite order.
 RTB_HD inline std::uint32_t SobolReversed(std::uint32_t index, int dimension) {
   if (dimension == 0) return index;  // van der Corput: the index, reversed
-  static constexpr SobolDirections kDirections = MakeSobolDirections();
-  const std::uint32_t* directions = kDirections.reversed[dimension - 1];
-  std::uint32_t sum = 0;
-  for (; index != 0; index >>= 1, ++directions) {
-    if (index & 1u) sum ^= *directions;
-  }
-  return sum;
+  static constexpr SobolSums kSums = MakeSobolSums();
+  const auto& sums = kSums.sums[dimension - 1];
+  return sums[0][index & 0xFFu] ^ sums[1][(index >> 8) & 0xFFu] ^
+         sums[2][(index >> 16) & 0xFFu] ^ sums[3][index >> 24];
 }
 
 /// Burley 2020, shuffling: the order of the points of a pattern, itself

@@ -89,7 +89,9 @@ class PathTracer {
     AddEmission(at, hit, path);
     if (at.bsdf.model == SurfaceModel::kEmissive) return false;
     const bool last = depth == max_depth_;
-    AddDirectLight(at, Uniforms(eye, depth, kLight), last, path, counts);
+    if (HasNonDelta(at.bsdf)) {
+      AddDirectLight(at, Uniforms(eye, depth, kLight), last, path, counts);
+    }
     const V4f u = Uniforms(eye, depth, kScatter);
     if (last) {
       AddUnsampled(at, V3f(u.x, u.y, u.z), path, counts);
@@ -119,10 +121,10 @@ class PathTracer {
     path->radiance += path->throughput * at.emitted * weight;
   }
 
-  /// Next-event estimation. `last`: no scattered ray competes.
+  /// Next-event estimation at a surface that scatters. `last`: no scattered
+  /// ray competes.
   RTB_HD void AddDirectLight(const Interaction& at, const V4f& u, bool last,
                              Path* path, RayCounts* counts) const {
-    if (!HasNonDelta(at.bsdf)) return;
     const EmitterSample light =
         SampleEmitter(shading_, at.point, V3f(u.x, u.y, u.z));
     if (light.irradiance == Rgb(0)) return;

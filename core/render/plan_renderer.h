@@ -96,11 +96,7 @@ class PlanRenderer {
     for (int entry = begin; entry < end; ++entry) {
       const std::span<Rgb> out = fragments->cell(entry);
       for (int s = 0; s < plan_.samples_per_cell; ++s) {
-        MeanOfRays rays;
-        for (int ray = 0; ray < options_.spp; ++ray) {
-          rays.Add(
-              V3d(integrator.Radiance(EyeSampleAt(entry, s, ray), &counts)));
-        }
+        const MeanOfRays rays = RenderSample(integrator, entry, s, &counts);
         out[static_cast<std::size_t>(s)] = rays.Mean();
         if (!fragments->variances.empty()) {
           fragments->variances[static_cast<std::size_t>(
@@ -111,31 +107,43 @@ class PlanRenderer {
     return counts;
   }
 
-  EyeSample EyeSampleAt(int entry, int sample, int ray) const {
-    const int cell = plan_.cell(entry);
+  template <class Integrator>
+  MeanOfRays RenderSample(Integrator& integrator, int entry, int sample,
+                          RayCounts* counts) const {
     EyeSample eye;
     eye.pattern =
-        RandomBits(static_cast<std::uint32_t>(cell),
+        RandomBits(static_cast<std::uint32_t>(plan_.cell(entry)),
                    static_cast<std::uint32_t>(plan_.number(entry, sample)), 0,
                    options_.seed);
-    eye.index = static_cast<std::uint32_t>(ray);
     eye.seed = options_.seed;
-    const V2f jitter = Jitter(eye);
-    const V2f& position = plan_.position(entry, sample);
-    const GridSize& grid = plan_.grid;
-    const double x = cell % grid.columns + double{position.x} + jitter.x;
-    const double y = cell / grid.columns + double{position.y} + jitter.y;
-    eye.ray = EyeRay(camera_, x / grid.columns, y / grid.rows);
-    return eye;
+    MeanOfRays rays;
+    if (options_.spp == 1) {
+      eye.ray = RayThrough(entry, sample, V2f(0, 0));
+      rays.Add(V3d(integrator.Radiance(eye, counts)));
+      return rays;
+    }
+    // Stratified over the footprint.
+    const MultiJitter jitter(static_cast<std::uint32_t>(options_.spp),
+                             eye.pattern);
+    for (int ray = 0; ray < options_.spp; ++ray) {
+      eye.index = static_cast<std::uint32_t>(ray);
+      const V2f unit = jitter.At(eye.index);
+      eye.ray =
+          RayThrough(entry, sample, (unit - V2f(0.5f, 0.5f)) * plan_.footprint);
+      rays.Add(V3d(integrator.Radiance(eye, counts)));
+    }
+    return rays;
   }
 
-  /// Offset from the sample's position, in cells: none for one ray, else
-  /// stratified over the footprint.
-  V2f Jitter(const EyeSample& eye) const {
-    if (options_.spp == 1) return V2f(0, 0);
-    const V2f unit = MultiJittered(
-        eye.index, static_cast<std::uint32_t>(options_.spp), eye.pattern);
-    return (unit - V2f(0.5f, 0.5f)) * plan_.footprint;
+  /// The ray through a sample's position.
+  /// @param offset from there, in cells.
+  Ray RayThrough(int entry, int sample, const V2f& offset) const {
+    const int cell = plan_.cell(entry);
+    const V2f& position = plan_.position(entry, sample);
+    const GridSize& grid = plan_.grid;
+    const double x = cell % grid.columns + double{position.x} + offset.x;
+    const double y = cell / grid.columns + double{position.y} + offset.y;
+    return EyeRay(camera_, x / grid.columns, y / grid.rows);
   }
 
   const CameraRays camera_;

@@ -1,8 +1,10 @@
 #include <vterm.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "encoders/palette.h"
@@ -85,6 +87,21 @@ CellGrid ReadScreen(VTermScreen* screen, GridSize size) {
   return grid;
 }
 
+/// libvterm 0.1.4 keeps four bytes of each one that it is given on the stack,
+/// so it is given little at a time, up to the beginning of a sequence.
+void Write(std::string_view input, VTerm* terminal) {
+  constexpr std::size_t kMost = 65536;
+  while (!input.empty()) {
+    std::size_t count = std::min(input.size(), kMost);
+    if (count < input.size()) {
+      const std::size_t escape = input.rfind('\x1b', count);
+      if (escape != std::string_view::npos && escape > 0) count = escape;
+    }
+    vterm_input_write(terminal, input.data(), count);
+    input.remove_prefix(count);
+  }
+}
+
 Error TooLarge(int scrolled, GridSize size) {
   return BadInput("ANSI text",
                   "does not fit into " + std::to_string(size.columns) + " x " +
@@ -113,7 +130,7 @@ Result<CellGrid> ParseAnsi(const std::string& ansi, GridSize size) {
   callbacks.settermprop = NoteProperty;
   vterm_screen_set_callbacks(screen, &callbacks, &scrolled);
   vterm_screen_reset(screen, 1);
-  vterm_input_write(terminal.get(), input.data(), input.size());
+  Write(input, terminal.get());
   vterm_screen_flush_damage(screen);
   if (scrolled.lines > 0) return Fail(TooLarge(scrolled.lines, size));
   return ReadScreen(screen, size);

@@ -23,6 +23,7 @@ void AddSweep(CLI::App& program, Action& selected);
 void AddReference(CLI::App& program, Action& selected);
 void AddExport(CLI::App& program, Action& selected);
 void AddReport(CLI::App& program, Action& selected);
+void AddLive(CLI::App& program, Action& selected);
 void AddList(CLI::App& program, Action& selected);
 /// @}
 

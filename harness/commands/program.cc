@@ -39,6 +39,7 @@ void AddCommands(CLI::App& program, Action& selected) {
   AddReference(program, selected);
   AddExport(program, selected);
   AddReport(program, selected);
+  AddLive(program, selected);
   AddList(program, selected);
   program.footer(
       "Without a command, bench is run: rtbench --scene=cornell\n"

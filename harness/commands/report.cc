@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -62,6 +63,13 @@ Result<fs::path> FindReporter() {
                       "installation's share/rtbench"));
 }
 
+/// The Python to run it with: RTBENCH_PYTHON, python3 on PATH, Debian's.
+std::string FindPython() {
+  const char* chosen = std::getenv("RTBENCH_PYTHON");
+  if (chosen != nullptr && *chosen != '\0') return chosen;
+  return FindProgram("python3") ? "python3" : "/usr/bin/python3";
+}
+
 /// Python's exit status and words as one of our errors.
 Status StatusOf(const ProcessResult& process) {
   if (process.exit_status == 0) return {};
@@ -85,7 +93,7 @@ Status Report(const ReportOptions& options) {
   RTB_ASSIGN_OR_RETURN(const fs::path reporter, FindReporter());
   // -B: an installed folder may not be ours to write into.
   ProcessOptions process;
-  process.argv = {FindProgram("python3") ? "python3" : "/usr/bin/python3",
+  process.argv = {FindPython(),
                   "-B",
                   reporter.string(),
                   "--out=" + options.out,

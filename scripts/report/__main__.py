@@ -4,8 +4,9 @@
     python3 scripts/report DIR --out=DIR [--format=latex,csv,...]
 
 `rtbench report` runs this. It takes the first Python that has the modules it
-needs: the one that runs it, python3 on PATH, Debian's. Exit status: 0 success,
-1 failure, 2 usage or bad input, 3 a missing module.
+needs: the one that runs it, python3 on PATH, Debian's; RTBENCH_PYTHON names
+the one to take. Exit status: 0 success, 1 failure, 2 usage or bad input, 3 a
+missing module.
 """
 
 import importlib.util
@@ -30,6 +31,8 @@ def missing_here():
 
 def other_python():
     """Another interpreter that has all modules, or None."""
+    if os.environ.get("RTBENCH_PYTHON"):
+        return None
     for python in (shutil.which("python3"), "/usr/bin/python3"):
         if python and os.path.exists(python) and not os.path.samefile(
                 python, sys.executable):

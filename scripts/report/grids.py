@@ -6,6 +6,7 @@ to the cell on the left; then deflated and in base64.
 """
 
 import base64
+import functools
 import gzip
 import json
 import zlib
@@ -32,6 +33,7 @@ def read(file):
         raise BadInput(f"{file}: not a cell grid: {error}") from error
 
 
+@functools.lru_cache(maxsize=1 << 16)
 def color(text):
     return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)
 

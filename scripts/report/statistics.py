@@ -25,8 +25,10 @@ def mean_interval(values):
     values = numpy.asarray(values, float)
     if len(values) < 3:
         return None, None
-    if numpy.ptp(values) == 0:
-        return float(values[0]), float(values[0])
+    # Equal but for rounding: BCa would divide by what rounding left.
+    if numpy.ptp(values) <= 1e-12 * numpy.abs(values).max():
+        mean = float(values.mean())
+        return mean, mean
     found = scipy.stats.bootstrap(
         (values,), numpy.mean, n_resamples=RESAMPLES, method="BCa",
         confidence_level=CONFIDENCE, random_state=SEED).confidence_interval

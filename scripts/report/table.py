@@ -79,8 +79,10 @@ def significant(value, digits=3):
         return NONE
     if value == 0:
         return "0"
-    places = digits - 1 - math.floor(math.log10(abs(value)))
-    return signed(f"{round(value, places):.{max(0, places)}f}")
+    # Rounded first: 99.96 is 100, which has its digits before the point.
+    text = f"{value:.{digits - 1}e}"
+    places = digits - 1 - int(text.split("e")[1])
+    return signed(f"{float(text):.{max(0, places)}f}")
 
 
 def figure(value, digits=3, **more):

@@ -30,4 +30,12 @@ void RegisterAdaptiveBenchmarks();
 /// `render/SCENE` for every scene of the repository, with `rays_per_second`.
 void RegisterRenderBenchmarks();
 
+/// `rayterm/path`: the work that RAYTERM's CPU prototype was timed on, on one
+/// core.
+void RegisterRaytermBenchmarks();
+
+/// `live/draw/PRESENTER`: drawing 120 x 40 cells of which each has changed,
+/// writing to the terminal apart.
+void RegisterLiveBenchmarks();
+
 }  // namespace rtb

@@ -46,6 +46,8 @@ int main(int argc, char** argv) {
   rtb::RegisterEncodeBenchmarks();
   rtb::RegisterAdaptiveBenchmarks();
   rtb::RegisterRenderBenchmarks();
+  rtb::RegisterRaytermBenchmarks();
+  rtb::RegisterLiveBenchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -33,8 +33,8 @@ def stable_text(text):
 
 class BenchTest(ProgramTest):
 
-    def record(self, *args):
-        return json.loads(self.succeed(*args, "--json=-"))
+    def record(self, *args, **options):
+        return json.loads(self.succeed(*args, "--json=-", **options))
 
     def test_table(self):
         text = self.succeed("--encoder=quadrant,half", *QUICK).decode()
@@ -71,16 +71,48 @@ class BenchTest(ProgramTest):
         self.assertEqual(run["grid"], [12, 4])
         # 32 samples of 4 rays.
         self.assertEqual(run["rays_per_cell"], 128)
-        for stage in ("plan", "render", "encode"):
+        for stage in ("load", "build", "plan", "render", "encode", "decode",
+                      "emit"):
             times = run["ms"][stage]
             self.assertEqual(len(times["samples"]), 1)
             self.assertLessEqual(times["lo"], times["median"])
+        self.assertEqual(run["rays"]["camera"], 12 * 4 * 128)
+        self.assertGreater(run["bytes_per_frame"], 12 * 4)
         self.assertGreater(run["metrics"]["psnr"], 10)
         self.assertLess(run["metrics"]["psnr"], 60)
         self.assertIsNone(run["metrics"]["ms_ssim"])  # below 176 pixels
         schema = json.loads(
             (ROOT / "results" / "record.schema.json").read_text())
         self.assertLessEqual(set(schema["required"]), set(record))
+
+    def test_decompose(self):
+        record = self.record("--encoder=quadrant,tiv", "--decompose", *QUICK,
+                             env={"RTBENCH_CACHE": str(self.folder / "c")})
+        for run in record["runs"]:
+            mse = run["decomposition"]["mse"]
+            parts = [mse[key] for key in
+                     ("render", "sampling", "encoding", "render_sampling",
+                      "render_encoding", "sampling_encoding")]
+            self.assertAlmostEqual(sum(parts), mse["total"], delta=1e-9)
+            self.assertAlmostEqual(mse["total"], run["metrics"]["mse"],
+                                   delta=1e-12)
+            inner = run["decomposition"]["inner"]
+            self.assertAlmostEqual(sum(inner.values()), mse["encoding"],
+                                   delta=1e-9)
+            self.assertGreaterEqual(run["bound"]["gap"], 1)
+        kinds = {file.name.split("-")[0]
+                 for file in (self.folder / "c").iterdir()}
+        self.assertEqual(kinds, {"converged", "bound"})
+        self.check_schema(record)
+
+    def check_schema(self, record):
+        try:
+            import jsonschema
+        except ImportError as missing:
+            self.skipTest(str(missing))
+        schema = json.loads(
+            (ROOT / "results" / "record.schema.json").read_text())
+        jsonschema.Draft202012Validator(schema).validate(record)
 
     def test_only_times_differ_between_runs_and_threads(self):
         # The canonical grid: a small one is a single task for any number of

@@ -77,6 +77,16 @@ class ChooseReferenceTest : public ::testing::Test {
   const PixelSize raster_{48, 32};
 };
 
+TEST_F(ChooseReferenceTest, OurOwnImageMayComeFromTheCache) {
+  const PreparedScene scene = Prepare();
+  const auto cache = folder_.path() / "cache";
+  const auto made = ChooseReference("self", scene, raster_, cache).value();
+  EXPECT_FALSE(std::filesystem::is_empty(cache));
+  const auto read = ChooseReference("self", scene, raster_, cache).value();
+  EXPECT_EQ(made.display.at(0, 0), read.display.at(0, 0));
+  EXPECT_NEAR(read.display.at(0, 0).x, 137 / 255.0, 1e-6);
+}
+
 TEST_F(ChooseReferenceTest, RendersItselfWhereThereIsNone) {
   const auto picture = ChooseReference("", Prepare(), raster_).value();
   EXPECT_EQ(picture.name, "self");

@@ -31,7 +31,8 @@ class CountingBackend : public Backend {
     return fragments;
   }
 
-  RayCounts ray_counts() const override { return {}; }
+  /// A render takes 5 rays.
+  RayCounts ray_counts() const override { return {3, 0, 0, 0, 2}; }
 
   int calls = 0;
   RenderOptions last;
@@ -46,6 +47,15 @@ TEST(SceneSource, MultipliesByTwoToTheExposure) {
   EXPECT_EQ(fragments.values[1], Rgb(0.5f));
   EXPECT_EQ(fragments.values[2], Rgb(50.0f));
   EXPECT_EQ(backend.last.spp, 4);
+}
+
+TEST(SceneSource, CountsTheRaysOfAllQueries) {
+  CountingBackend backend;
+  SceneSource source(backend, {}, 0);
+  EXPECT_EQ(source.rays().total(), 0u);
+  ASSERT_TRUE(source.Query(RegularPlan({2, 1}, 2, 1)).has_value());
+  ASSERT_TRUE(source.Query(RegularPlan({2, 1}, 2, 1)).has_value());
+  EXPECT_EQ(source.rays(), (RayCounts{6, 0, 0, 0, 4}));
 }
 
 TEST(SceneSource, RefusesAbsurdPlansBeforeRendering) {

@@ -1,6 +1,8 @@
-"""Tables as Markdown, all in one file."""
+"""Tables as Markdown, all in one file; the first also alone, to quote."""
 
 from report.table import NONE
+
+OVERVIEW = "overview"
 
 
 def escape(text):
@@ -24,7 +26,12 @@ def cell(found):
 
 def table(found):
     """One table under its heading."""
-    lines = [f"### {escape(found.title)}", "", escape(found.caption), "",
+    return f"### {escape(found.title)}\n\n" + body(found)
+
+
+def body(found):
+    """Its caption, its rows, its notes."""
+    lines = [escape(found.caption), "",
              "| " + " | ".join(escape(c.heading) for c in found.columns)
              + " |",
              "| " + " | ".join("---" if c.left else "---:"
@@ -38,7 +45,7 @@ def table(found):
 
 
 def write(folder, tables, warnings):
-    """tables.md; returns the files written."""
+    """tables.md, and overview.md for a page to quote; returns the files."""
     parts = ["# Results\n"]
     parts += [f"> ⚠ {escape(warning)}\n" for warning in warnings]
     parts.append(f"Figures that have no value show {NONE}; the best of a "
@@ -47,4 +54,9 @@ def write(folder, tables, warnings):
     parts += map(table, tables)
     file = folder / "tables.md"
     file.write_text("\n".join(parts), encoding="utf-8")
-    return [file]
+    files = [file]
+    for found in tables:
+        if found.name == OVERVIEW:
+            files.append(folder / f"{OVERVIEW}.md")
+            files[-1].write_text(body(found), encoding="utf-8")
+    return files

@@ -25,17 +25,21 @@ def embedded(value):
     return text.replace("<", "\\u003c")
 
 
+def suites(results):
+    """The names of the suites that the records belong to."""
+    return ", ".join(sorted({record["unit"]["suite"] for record
+                             in results.records if "unit" in record}))
+
+
 def about(results):
     """(name, text) of where everything comes from."""
     programs = sorted({
         "rtbench {version}, {compiler}, {build_type}".format(
             **record["manifest"]["program"]) for record in results.records
         if "manifest" in record})
-    suites = sorted({record["unit"].get("suite", "") for record
-                     in results.records if "unit" in record} - {""})
     dates = sorted(record["volatile"]["utc"] for record in results.records
                    if "volatile" in record)
-    found = [("Suite", ", ".join(suites)),
+    found = [("Suite", suites(results)),
              ("Commit", provenance.join(provenance.commits(results.records))),
              ("Machine", provenance.join(provenance.hosts(results.records))),
              ("Program", "; ".join(programs)),
@@ -70,7 +74,8 @@ def write(folder, results, tables, plots, warnings):
         trim_blocks=True, lstrip_blocks=True,
         undefined=jinja2.StrictUndefined)
     text = environment.get_template("page.html.j2").render(
-        title="rtbench results", lead=lead(results), warnings=warnings,
+        title=": ".join(filter(None, ["rtbench results", suites(results)])),
+        lead=lead(results), warnings=warnings,
         css=(FOLDER / "page.css").read_text(encoding="utf-8"),
         js="\n".join((FOLDER / name).read_text(encoding="utf-8")
                      for name in SCRIPTS),

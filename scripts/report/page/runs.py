@@ -70,7 +70,9 @@ def note(runs):
 
 def page_row(runs, setting, times, names, store):
     """One row: its values, and the ids of its pictures."""
-    runs = sorted(runs, key=lambda run: run.seed)
+    # The pictures of one seed: the lowest of those that have any.
+    runs = sorted(runs, key=lambda run: (not run.data.get("pictures"),
+                                         run.seed))
     first = runs[0]
     files = first.data.get("pictures") or {}
     reference = store.picture(files.get("reference"), "reference")
@@ -93,8 +95,8 @@ def page_data(results, store):
     times = {work: mean_value(runs, matrix.frame_ms)
              for work, runs in blocks.items()}
     order = sorted(found, key=lambda key: (views.index(key[0]), *key[1:]))
-    rows = [page_row(found[key], views.index(key[0]), times, results.names, store)
-            for key in order]
+    rows = [page_row(found[key], views.index(key[0]), times, results.names,
+                     store) for key in order]
     characters = store.alphabet.characters()
     outlines = shapes.outlines(characters)
     several = len({view.reference for view in views}) > 1
@@ -115,7 +117,14 @@ def page_data(results, store):
 
 
 def first_row(rows):
-    """The row that is shown first: the best of those with pictures."""
-    shown = [i for i, row in enumerate(rows)
-             if row["cells"] and row["reference"] and row["setting"] == 0]
-    return min(shown, key=lambda i: rows[i]["values"]["flip"], default=0)
+    """The row that is shown first, of those with pictures: the best of a
+    scene that is neither the easiest nor the hardest."""
+    best = {}
+    for index, row in enumerate(rows):
+        if not row["cells"] or not row["reference"] or row["setting"] != 0:
+            continue
+        scene, flip = row["values"]["scene"], row["values"]["flip"]
+        if scene not in best or flip < best[scene][0]:
+            best[scene] = flip, index
+    order = sorted(best.values())
+    return order[(len(order) - 1) // 2][1] if order else 0

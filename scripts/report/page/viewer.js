@@ -56,6 +56,9 @@ function showName() {
 
 function showText() {
   if (!byId("text-box").open || !grid) return;
+  // As large as the lines fit: a monospaced letter is 0.602 of its size wide.
+  const size = (byId("text").clientWidth - 20) / (grid.columns * 0.603);
+  byId("text").style.fontSize = `${Math.min(16, Math.max(5, size))}px`;
   byId("text").replaceChildren(byId("colored").checked ? coloredText(grid)
     : textOf(grid));
 }

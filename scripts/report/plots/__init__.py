@@ -28,7 +28,10 @@ def draw(results):
             found += [tradeoff.by_scene(one), tradeoff.time_by_scene(one),
                       causes.shares(one), causes.distances(one)]
     found.append(flicker.flicker(results))
-    return [plot for plot in found if plot]
+    found = [plot for plot in found if plot]
+    for plot in found:
+        style.settle(plot.figure)
+    return found
 
 
 def save(plot, file):

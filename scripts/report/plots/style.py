@@ -55,6 +55,13 @@ def legend_above(axes, columns):
                 handlelength=1.4, handletextpad=0.4)
 
 
+def settle(figure):
+    """Lays a figure out for good: drawn again, it stays the same."""
+    if figure.get_layout_engine() is not None:
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
+
+
 def overlap(a, b):
     """The area that two boxes (x0, y0, x1, y1) share."""
     width = min(a[2], b[2]) - max(a[0], b[0])
@@ -102,10 +109,10 @@ def label_points(axes, points, labels, colors, front=(), size=7, others=()):
 
     Greedy: a label takes the place that hides the least of points (`others`
     too), the front's line and earlier labels, near ones first; far ones get a
-    thin line to their point. `front`: indices of points.
+    thin line to their point. `front`: indices of points. The figure must be
+    settled.
     """
     figure = axes.figure
-    figure.canvas.draw()
     renderer = figure.canvas.get_renderer()
     frame = axes.get_window_extent(renderer).extents
     to_pixels = axes.transData.transform
@@ -133,7 +140,7 @@ def best_place(note, candidates, taken, frame, renderer, scale):
         box = tuple(note.get_window_extent(renderer).extents)
         hidden = sum(overlap(box, other) for other in taken)
         outside = overlap(box, box) - overlap(box, frame)
-        cost = hidden + 3 * outside + 1.5 * scale * max(abs(dx), abs(dy))
+        cost = 5 * hidden + 5 * outside + 1.5 * scale * max(abs(dx), abs(dy))
         if best is None or cost < best[0]:
             best = cost, (dx, dy, ha, va), box
     dx, dy, ha, va = best[1]

@@ -36,14 +36,17 @@ def draw_front(axes, points, front, **style_of_line):
 
 
 def draw_points(axes, encoders, points, bars, front, size=22):
+    """Dots, diamonds for the controls, and bars; returns the dots' colors."""
     colors = kind_colors(encoders, front)
-    for index, ((x, y), bar) in enumerate(zip(points, bars)):
-        axes.errorbar(x, y, [[bar[0]], [bar[1]]], ecolor=colors[index],
+    controls = [encoder in matrix.CONTROLS for encoder in encoders]
+    for color, control in dict.fromkeys(zip(colors, controls)):
+        own = [i for i, kind in enumerate(zip(colors, controls))
+               if kind == (color, control)]
+        x, y = zip(*[points[i] for i in own])
+        axes.scatter(x, y, size * (1.3 if control else 1), color=color,
+                     zorder=3, linewidths=0, marker="D" if control else "o")
+        axes.errorbar(x, y, list(zip(*[bars[i] for i in own])), ecolor=color,
                       elinewidth=0.8, fmt="none", alpha=0.5, zorder=2)
-        control = encoders[index] in matrix.CONTROLS
-        axes.scatter(x, y, size * (1.3 if control else 1),
-                     color=colors[index], zorder=3, linewidths=0,
-                     marker="D" if control else "o")
     return colors
 
 
@@ -67,6 +70,7 @@ def tradeoff(study, cost, name, axis, title):
     style.plain_log(axes.xaxis)
     axes.set(xlabel=axis, ylabel=flip_axis(study, "mean FLIP"))
     names = study.names
+    style.settle(figure)
     style.label_points(axes, points,
                        [labels.wrapped(names[e]) for e in encoders], colors,
                        front)
@@ -111,32 +115,35 @@ def small_multiples(study, name, title, axis, lead, cost, bar):
     figure, panels = pyplot.subplots(
         rows, columns, figsize=(style.WIDTH * 1.15, 1.75 * rows + 0.3),
         squeeze=False, sharex=True)
-    shown = 0
-    for panel, scene in zip(panels.flat, figures.scenes):
-        shown += draw_scene(panel, study, scene, cost, bar)
+    drawn = [draw_scene(panel, study, scene, cost, bar)
+             for panel, scene in zip(panels.flat, figures.scenes)]
     for panel in panels.flat[len(figures.scenes):]:
         panel.set_visible(False)
     # The lowest of each column has the figures.
     for panel in panels.flat[:len(figures.scenes)][-columns:]:
         panel.tick_params(labelbottom=True)
-    if not shown:
+    if not any(drawn):
         pyplot.close(figure)
         return None
     figure.supxlabel(axis, fontsize=8)
     figure.supylabel(flip_axis(study, "FLIP"), fontsize=8)
+    style.settle(figure)
+    for panel, found in zip(panels.flat, drawn):
+        if found:
+            label_scene(panel, study, *found)
     return Plot(study.name(name), study.title(title),
                 study.caption(lead, len(figures.scenes)), figure)
 
 
 def draw_scene(panel, study, scene, cost, bar):
-    """Returns how many points it drew."""
+    """(encoders, points, front, colors), or None without points."""
     figures = study.flip
     encoders = [e for e in figures.encoders
                 if figures.get(e, scene) is not None and cost(e, scene)]
     points = [(cost(e, scene), figures.get(e, scene)) for e in encoders]
     panel.set_title(scene, loc="left", pad=3, fontsize=8)
     if not points:
-        return 0
+        return None
     front = statistics.pareto_front(points)
     draw_front(panel, points, front, linewidth=0.9)
     colors = draw_points(panel, encoders, points, [(0, 0)] * len(points),
@@ -149,15 +156,17 @@ def draw_scene(panel, study, scene, cost, bar):
     panel.set_ylim(bottom=0)
     panel.tick_params(labelsize=6.5)
     style.plain_log(panel.xaxis, 12)
-    names = study.names
+    return encoders, points, front, colors
+
+
+def label_scene(panel, study, encoders, points, front, colors):
+    """Labels the front and the controls alone: panels are small."""
     kept = front + [i for i in range(len(points)) if i not in front
                     and encoders[i] in matrix.CONTROLS]
     style.label_points(panel, [points[i] for i in kept],
-                       [labels.wrapped(names[encoders[i]], 14)
+                       [labels.wrapped(study.names[encoders[i]], 14)
                         for i in kept], [colors[i] for i in kept],
-                       [n for n, i in enumerate(kept) if i in front], 5,
-                       points)
-    return len(points)
+                       range(len(front)), 5, points)
 
 
 LABELED = "Labels on the front and on the controls (diamonds) alone. "

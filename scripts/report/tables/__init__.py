@@ -2,13 +2,15 @@
 
 from report import study
 from report.tables import (circumstances, decomposition, flip, measures,
-                           temporal, times)
+                           overview, temporal, times)
 
 
 def build(results):
     """The tables that the records have figures for."""
     found = []
     for one in study.studies(results):
+        if one.first:
+            found.append(overview.overview(one))
         found += [flip.by_scene(one), flip.summary(one), flip.by_time(one),
                   *measures.by_scene(one), measures.ratios(one),
                   measures.agreement(one), measures.agreement_by_scene(one),

@@ -1,6 +1,7 @@
 """Moving scenes: flicker with and without `temporal`, and the live mode."""
 
 from report import provenance
+from report.labels import EXTERNAL
 from report.table import Column, Table, figure, number, spec, word
 
 MEASURES = {
@@ -18,18 +19,20 @@ def split_spec(spec):
 
     A value in quotes may hold colons, and `external:` takes all the rest.
     """
-    parts, temporal, quoted = [""], None, False
+    if spec.startswith(EXTERNAL):
+        return spec, None
+    parts = [""]
+    quoted = False
     for letter in spec:
         quoted ^= letter == "'"
-        if letter == ":" and not quoted and parts[0] != "external":
+        if letter == ":" and not quoted:
             parts.append("")
         else:
             parts[-1] += letter
-    kept = [part for part in parts if not part.startswith("temporal=")]
-    if len(kept) < len(parts):
-        temporal = parts[[p.startswith("temporal=")
-                          for p in parts].index(True)].split("=", 1)[1]
-    return ":".join(kept), None if temporal == "0" else temporal
+    given = [part for part in parts if part.startswith("temporal=")]
+    kept = ":".join(part for part in parts if part not in given)
+    value = given[0].split("=", 1)[1] if given else "0"
+    return kept, None if value == "0" else value
 
 
 def runs_of(results):

@@ -202,6 +202,22 @@ TEST(FitCellUnroundedTest, BoundsTheRoundedFit) {
   }
 }
 
+// Of one mask as of an atlas that has no other.
+TEST(RefitUnroundedTest, BoundsEveryPairOfOneMask) {
+  const Atlas atlas = AtlasOf("blocks+quadrants", 3, 5);
+  for (const SampleKind kind : kSampleKinds) {
+    const auto samples = MakeSamples(kind, 15, 4);
+    double best = 1e9;
+    for (const FitMask& mask : atlas.candidates()) {
+      const double free = RefitUnrounded(mask, Blend::kSrgb, samples).error;
+      EXPECT_LE(free, RefitColors(mask, Blend::kSrgb, samples).error + 1e-12);
+      best = std::min(best, free);
+    }
+    EXPECT_NEAR(FitCellUnrounded(atlas, Blend::kSrgb, samples).error, best,
+                1e-5);
+  }
+}
+
 // With samples of 8-bit colors in two halves the free colors are these.
 TEST(FitCellUnroundedTest, FindsTheColorsThemselves) {
   const Atlas atlas = AtlasOf("blocks", 1, 2);
