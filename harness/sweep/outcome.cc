@@ -29,9 +29,9 @@ Status RunKind(const SweepUnit& unit, Workbench& bench,
     case UnitKind::kTemporal:
       return RunTemporal(unit, bench, progress, outcome);
     case UnitKind::kLive:
-      break;
+      return RunLive(unit, bench, outcome);
   }
-  return Fail(Missing(NameOf(unit.kind), "is not measured by this program"));
+  RTB_CHECK(false);
 } catch (const std::exception& error) {
   // Of the standard library: no memory, above all.
   return Fail(Failure(unit.configuration.scene, error.what()));

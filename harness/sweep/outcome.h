@@ -36,7 +36,13 @@ Status RunTemporal(const SweepUnit& unit, Workbench& bench,
                    const UnitProgress& progress, UnitOutcome& outcome);
 Status RunTiming(const SweepUnit& unit, Workbench& bench,
                  const UnitProgress& progress, UnitOutcome& outcome);
+Status RunLive(const SweepUnit& unit, Workbench& bench, UnitOutcome& outcome);
 /// @}
+
+/// What a record says of the first frame of a unit with one encoder, without
+/// scores and times. @param reference its name, for the manifest.
+Result<RunRecord> RecordOneFrame(const SweepUnit& unit, Workbench& bench,
+                                 const std::string& reference);
 
 /// An Error as records keep it. @param encoder the SPEC that failed, if any.
 RunFailure ToFailure(const Error& error, const std::string& encoder);
