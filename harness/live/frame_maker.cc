@@ -133,10 +133,7 @@ SampleStore::Tracer FrameMaker::TracerFor(const FrameRequest& request,
     options.seed = seed + kPassStride * static_cast<std::uint64_t>(pass);
     SceneSource source(*scene_->backend, options, frame->exposure);
     auto fragments = source.Query(plan);
-    const RayCounts rays = scene_->backend->ray_counts();
-    frame->rays.camera += rays.camera;
-    frame->rays.shadow += rays.shadow;
-    frame->rays.secondary += rays.secondary;
+    frame->rays += scene_->backend->ray_counts();
     return fragments;
   };
 }

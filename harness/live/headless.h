@@ -7,16 +7,10 @@
 
 #include "core/base/result.h"
 #include "harness/live/live_request.h"
+#include "harness/results/live_result.h"
 #include "harness/results/run_record_json.h"
 
 namespace rtb {
-
-/// Milliseconds that the given shares of frames do not exceed.
-struct FramePercentiles {
-  double p50 = 0;
-  double p95 = 0;
-  double p99 = 0;
-};
 
 /// What a run measured. Pictures follow one another as fast as they can; the
 /// governor, unless its target is 0, aims at its rate all the same.

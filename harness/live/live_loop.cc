@@ -263,8 +263,7 @@ void LiveLoop::NotePicture() {
   governor_.Describe(frame.request.view.spp, frame.samples_per_cell);
   render_ms_.Add(frame.render_ms);
   encode_ms_.Add(frame.encode_ms);
-  rays_.Add(static_cast<double>(frame.rays.camera + frame.rays.shadow +
-                                frame.rays.secondary));
+  rays_.Add(static_cast<double>(frame.rays.total()));
   readings_.rays_per_cell = frame.rays_per_cell;
   readings_.share = budget.share;
   readings_.row_step = budget.row_step;

@@ -7,18 +7,18 @@
 
 namespace rtb {
 
-/// Percentiles of the time from frame to frame, in milliseconds.
-struct FrameTimes {
+/// Milliseconds that the given shares of frames do not exceed.
+struct FramePercentiles {
   double p50 = 0;
   double p95 = 0;
   double p99 = 0;
-  bool operator==(const FrameTimes&) const = default;
+  bool operator==(const FramePercentiles&) const = default;
 };
 
 /// One session.
 struct LiveResult {
   double fps = 0;
-  FrameTimes frame_ms;
+  FramePercentiles frame_ms;
   double bytes_per_frame = 0;
   double cells_per_frame = 0;  ///< Cells sent, mean.
   std::string present;         ///< `direct`, `ncurses` or `string`.

@@ -39,10 +39,8 @@ Status RunTiming(const SweepUnit& unit, Workbench& bench,
 Status RunLive(const SweepUnit& unit, Workbench& bench, UnitOutcome& outcome);
 /// @}
 
-/// What a record says of the first frame of a unit with one encoder, without
-/// scores and times. @param reference its name, for the manifest.
-Result<RunRecord> RecordOneFrame(const SweepUnit& unit, Workbench& bench,
-                                 const std::string& reference);
+/// One picture by the unit's encoder, not scored: what its frames take.
+Result<BenchResult> DrawOnce(const SweepUnit& unit, Workbench& bench);
 
 /// An Error as records keep it. @param encoder the SPEC that failed, if any.
 RunFailure ToFailure(const Error& error, const std::string& encoder);
