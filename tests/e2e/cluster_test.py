@@ -37,7 +37,9 @@ class ClusterTest(SweepTest):
             env=dict(environment or self.environment(),
                      RTBENCH_CACHE=str(self.folder / "cache")), stdout=subprocess.PIPE,
             stderr=subprocess.PIPE)
-        self.assertEqual(process.returncode, 0, process.stderr.decode())
+        logs = [path.read_text() for path in self.folder.rglob("rtbench-*.log")]
+        self.assertEqual(process.returncode, 0,
+                         process.stderr.decode() + "\n".join(logs))
         return process.stdout.decode()
 
     def snakemake(self, *options, **more):
