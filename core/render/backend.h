@@ -26,6 +26,10 @@ struct RenderOptions {
   int max_depth = -1;      ///< Bounces after the eye ray; -1 = the scene's.
   int threads = 0;         ///< Upper bound; 0 = all cores.
   std::string integrator = "whitted";
+  /// Rays of `whitted` that count for no more than this in any channel are not
+  /// followed; 0: all are. A bound in the sense of Hall and Greenberg, "A
+  /// Testbed for Realistic Image Synthesis", IEEE CG&A 3(8), 1983.
+  float least_weight = 0;
   /// A camera in place of the scene's at that time.
   std::optional<CameraFrame> camera;
 };

@@ -34,7 +34,11 @@ Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
         [&] { return PathTracer<Tracer>(tracer, shading, max_depth); }, counts);
   }
   return renderer.Render(
-      [&] { return Whitted<Tracer>(tracer, shading, max_depth); }, counts);
+      [&] {
+        return Whitted<Tracer>(tracer, shading, max_depth,
+                               options.least_weight);
+      },
+      counts);
 }
 
 }  // namespace rtb

@@ -29,9 +29,13 @@ template <class Tracer>
 class Whitted {
  public:
   /// @param max_depth bounces after the eye ray; a ray past it is black.
+  /// @param least_weight rays of no more weight are black too.
   RTB_HD Whitted(const Tracer& tracer, const ShadingView& shading,
-                 int max_depth)
-      : tracer_(tracer), shading_(shading), max_depth_(max_depth) {}
+                 int max_depth, float least_weight = 0)
+      : tracer_(tracer),
+        shading_(shading),
+        max_depth_(max_depth),
+        least_weight_(least_weight) {}
 
   /// Radiance along an eye ray. Counts the rays that it traces.
   RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) {
@@ -70,7 +74,8 @@ class Whitted {
   }
 
   RTB_HD void Push(const Pending& pending) {
-    if (pending.depth > max_depth_ || pending.weight == Rgb(0)) return;
+    if (pending.depth > max_depth_) return;
+    if (MaxComponent(pending.weight) <= least_weight_) return;
     stack_[size_++] = pending;
   }
 
@@ -223,6 +228,7 @@ class Whitted {
   const Tracer& tracer_;
   const ShadingView shading_;
   const int max_depth_;
+  const float least_weight_;
   int size_ = 0;
   // A popped ray pushes at most two, one level deeper; the eye ray more.
   Pending stack_[kMaxDepth + kGlossyRays + 2];

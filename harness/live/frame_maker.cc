@@ -17,6 +17,10 @@ double MillisecondsSince(Clock::time_point start) {
       .count();
 }
 
+/// While the view moves: less than a step of 8 bits. The pictures of a view at
+/// rest follow every ray.
+constexpr float kLeastWeight = 1.0f / 256;
+
 /// Whether samples come with noise that the modifier `temporal` can judge.
 bool IsNoisy(const LiveView& view) {
   return view.integrator == "path" || view.spp > 1;
@@ -131,6 +135,7 @@ SampleStore::Tracer FrameMaker::TracerFor(const FrameRequest& request,
              const SamplePlan& plan, int pass) mutable {
     constexpr std::uint64_t kPassStride = 0x9E3779B97F4A7C15;
     options.seed = seed + kPassStride * static_cast<std::uint64_t>(pass);
+    options.least_weight = pass == 0 ? kLeastWeight : 0;
     SceneSource source(*scene_->backend, options, frame->exposure);
     auto fragments = source.Query(plan);
     frame->rays += scene_->backend->ray_counts();

@@ -35,6 +35,21 @@ double Now() {
       .count();
 }
 
+/// A description of the terminal that nobody shares, so that it may be
+/// non-blocking. Where it cannot be opened anew (after `su`, say), the shared
+/// one, as it is: reads do not wait in raw mode anyway.
+UniqueFd OwnDescriptor(int shared) {
+  constexpr int kFlags = O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC;
+  char name[256];
+  UniqueFd own;
+  if (::ttyname_r(shared, name, sizeof name) == 0) {
+    own.Reset(::open(name, kFlags));
+  }
+  if (!own.valid()) own.Reset(::open("/dev/tty", kFlags));
+  if (!own.valid()) own.Reset(::fcntl(shared, F_DUPFD_CLOEXEC, 3));
+  return own;
+}
+
 struct termios Raw(struct termios modes) {
   ::cfmakeraw(&modes);
   modes.c_cc[VMIN] = 0;
@@ -65,12 +80,8 @@ Result<std::unique_ptr<TerminalSession>> TerminalSession::Start(
   session->state_ = std::make_unique<State>();
   State& state = *session->state_;
   state.options = options;
-  char name[256];
-  if (::ttyname_r(options.output, name, sizeof name) != 0) {
-    return Fail(Failure("live", "the terminal has no name"));
-  }
-  state.tty.Reset(::open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (!state.tty.valid()) return Fail(Failure(name, ErrnoText()));
+  state.tty = OwnDescriptor(options.output);
+  if (!state.tty.valid()) return Fail(Failure("live", ErrnoText()));
   session->fd_ = state.tty.get();
   if (::tcgetattr(session->fd_, &state.before) != 0) {
     return Fail(Failure("live", ErrnoText()));

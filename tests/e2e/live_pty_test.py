@@ -159,6 +159,36 @@ class LiveTest(ProgramTest):
         self.assertEqual(json.loads(lines[0])["version"], 2)
         self.assertEqual(json.loads(lines[1])[1], "o")
 
+    def test_kitty_keys_are_asked_for_and_given_back(self):
+        answers = [(b"\x1b[?u", b"\x1b[?0u"), *Terminal.ANSWERS]
+        terminal = self.drawn(answers=answers)
+        self.assertIn(b"\x1b[>15u", terminal.output)
+        terminal.send("\x1b[119u")  # W goes down ...
+        terminal.read(0.3)
+        terminal.send("\x1b[119;1:3u")  # ... and up.
+        terminal.send("\x1b[99;5u")  # ^C
+        self.assertEqual(terminal.wait(), 0)
+        self.assert_given_back(terminal)
+        end = terminal.output
+        self.assertLess(end.rfind(b"\x1b[<u"), end.rfind(b"\x1b[?1049l"))
+        self.assertGreater(end.rfind(b"\x1b[<u"), 0)
+        terminal = self.drawn("--no-kitty-keys", answers=answers)
+        self.assertNotIn(b"\x1b[>15u", terminal.output)
+
+    def test_no_color_means_glyphs_alone(self):
+        terminal = self.drawn("--no-sync", env={"NO_COLOR": "1"})
+        terminal.send("\x03")
+        self.assertEqual(terminal.wait(), 0)
+        self.assertNotIn(b"[38;", terminal.output)
+
+    def test_tells_what_the_terminal_can_do(self):
+        terminal = self.start("--term-caps")
+        self.assertEqual(terminal.wait(), 0)
+        self.assertIn(b"colors           truecolor (answered)",
+                      terminal.output)
+        self.assertIn(b"synchronized     yes", terminal.output)
+        self.assert_given_back(terminal)
+
     def test_suspends_and_resumes(self):
         terminal = self.drawn()
         terminal.signal(signal.SIGTSTP)

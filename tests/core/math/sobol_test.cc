@@ -54,6 +54,24 @@ TEST(SobolTest, FirstPointsFollowFromTheDirectionNumbers) {
   }
 }
 
+// Look-ups by bytes are sums over the bits that are set.
+TEST(SobolTest, PointsAreSumsOfDirectionNumbers) {
+  constexpr SobolDirections kDirections = MakeSobolDirections();
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const std::uint32_t index = RandomBits(i, 0, 0, 0);
+    EXPECT_EQ(SobolReversed(index, 0), index);
+    for (int dimension = 1; dimension < 4; ++dimension) {
+      std::uint32_t sum = 0;
+      for (int bit = 0; bit < 32; ++bit) {
+        if ((index >> bit) & 1u) {
+          sum ^= kDirections.reversed[dimension - 1][bit];
+        }
+      }
+      EXPECT_EQ(SobolReversed(index, dimension), sum);
+    }
+  }
+}
+
 TEST(SobolTest, FirstTwoDimensionsAreNetsUpToTwoToTheTwelfth) {
   for (int k = 0; k <= 12; ++k) {
     EXPECT_TRUE(IsNet(0, k, [](std::uint32_t i) {

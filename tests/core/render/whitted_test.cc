@@ -135,6 +135,21 @@ TEST(WhittedTest, FacingMirrorsAttenuateUntilTheDepthLimit) {
   ExpectNear(b.Center(Depth(1)), V3d(4), 1e-6);
 }
 
+TEST(WhittedTest, RaysOfLittleWeightAreNotFollowed) {
+  // The second bounce of the corner below has the weight 1/4.
+  SceneBuilder b;
+  const Index mirror = b.Add(Mirror{Rgb(0.5f)});
+  b.Add(Quad{V3d(-3, -3, -2), {V3d(6, 0, 0), V3d(0, 0, -6)}}, mirror);
+  b.Add(Quad{V3d(-3, -3, -8), {V3d(6, 0, 0), V3d(0, 6, 0)}}, mirror);
+  b.Look(V3d(0, 0, 0), V3d(0, -3, -6));
+  b.SetBackground(Rgb(1));
+  RenderOptions options = Depth(2);
+  options.least_weight = 0.24f;
+  ExpectNear(b.Center(options), V3d(0.25), 1e-5);
+  options.least_weight = 0.26f;
+  EXPECT_EQ(b.Center(options), Rgb(0));
+}
+
 TEST(WhittedTest, EachBounceCountsOne) {
   // Camera in a mirror corner: two bounces return the ray to the background.
   SceneBuilder b;

@@ -228,5 +228,16 @@ TEST(ParseAnsiTest, SurvivesAnyBytes) {
   }
 }
 
+// Several megabytes in one piece were too much for libvterm's stack.
+TEST(ParseAnsiTest, ReadsLongOutput) {
+  std::string text;
+  for (int i = 0; i < 400000; ++i) text += "\x1b[1;1Ha\x1b[2;2H▀";
+  text += "\x1b[1;1Hz";
+  const auto grid = ParseAnsi(text, {3, 2});
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->at(0, 0).glyph, U'z');
+  EXPECT_EQ(grid->at(1, 1).glyph, U'▀');
+}
+
 }  // namespace
 }  // namespace rtb
