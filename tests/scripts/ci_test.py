@@ -8,6 +8,7 @@ from script_case import ROOT
 
 CHECKS = ["check_layers.py", "check_names.py", "check_sizes.py",
           "check_words.py", "check_format"]
+SETUP = "setup build run report test test-report docs"
 VERDICT = "50% tests passed, 1 tests failed out of 2"
 
 
@@ -36,7 +37,7 @@ class CiTest(FakeMachineTest):
         self.assert_passes(run)
         self.assertEqual(
             [call.strip() for call in self.calls()],
-            ["setup build run test docs", "test"] + CHECKS +
+            [SETUP, "test"] + CHECKS +
             ["docs", "build --preset=dev", "test --preset=asan"])
         self.assertTrue(run.stdout.endswith(
             VERDICT + "\nci: everything succeeded\n"), run.stdout)
@@ -58,7 +59,7 @@ class CiTest(FakeMachineTest):
     def test_single_steps(self):
         self.assert_passes(self.ci("docs"))
         self.assertEqual([call.strip() for call in self.calls()],
-                         ["setup build run test docs", "docs"])
+                         [SETUP, "docs"])
         self.assertEqual(self.ci("nonsense").returncode, 2)
 
 
