@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
-#include <regex>
 
 #include "core/base/check.h"
 #include "core/base/file.h"
@@ -13,14 +12,25 @@
 namespace rtb {
 namespace {
 
-/// What looks like a version in what a program says of itself.
+bool IsDigit(char letter) { return letter >= '0' && letter <= '9'; }
+
+/// What looks like a version in what a program says of itself: digits, a dot,
+/// a digit, and what follows without a break.
 std::string FindVersion(const std::string& text) {
-  static const std::regex kVersion(R"(\d+\.\d+[^\s,;()]*)");
-  std::smatch match;
   // No program says so much before it comes to its version.
   constexpr std::size_t kLongest = 4000;
   const std::string head = text.substr(0, kLongest);
-  return std::regex_search(head, match, kVersion) ? match.str() : "unknown";
+  for (std::size_t begin = 0; begin < head.size(); ++begin) {
+    if (!IsDigit(head[begin])) continue;
+    std::size_t dot = begin;
+    while (dot < head.size() && IsDigit(head[dot])) ++dot;
+    if (dot + 1 < head.size() && head[dot] == '.' && IsDigit(head[dot + 1])) {
+      const std::size_t end = head.find_first_of(" \t\r\n\f\v,;()", dot);
+      return head.substr(begin, end - begin);
+    }
+    begin = dot;
+  }
+  return "unknown";
 }
 
 std::string ProgramVersion(const std::string& program) {
