@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "encoders/decode.h"
-#include "harness/live/converged_image.h"
+#include "harness/live/progressive_image.h"
 #include "harness/live/signals.h"
 #include "harness/metrics/metric.h"
 
@@ -19,15 +19,15 @@ double Figure(const char* metric, const MetricInput& input) {
 
 /// Judges a picture, after the converged one has grown by a step.
 Result<LiveQuality> Judge(const LiveView& view, const CellGrid& picture,
-                          ConvergedImage* converged) {
+                          ProgressiveImage* converged) {
   RTB_RETURN_IF_ERROR(converged->Aim(view));
   if (converged->rays() < QualityMeter::kMostRays) {
     RTB_RETURN_IF_ERROR(converged->Step(QualityMeter::kStepRays));
   }
   const Image reference = converged->Displayed();
   DecodeOptions options;
-  options.cell_width = ConvergedImage::kCellWidth;
-  options.cell_height = ConvergedImage::kCellHeight;
+  options.cell_width = ProgressiveImage::kCellWidth;
+  options.cell_height = ProgressiveImage::kCellHeight;
   options.threads = 1;
   RTB_ASSIGN_OR_RETURN(const Image shown, Decode(picture, options));
   const MetricInput input(reference, shown, 1);
@@ -76,7 +76,7 @@ void QualityMeter::Run() {
   constexpr int kLowest = 19;
   // Of this thread alone, on Linux.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kLowest);
-  ConvergedImage converged;
+  ProgressiveImage converged;
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stop_ || (shown_ && news_); });

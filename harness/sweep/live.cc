@@ -1,6 +1,5 @@
 /// @file
 /// A live unit: one encoder in the live mode, in a pseudo terminal.
-#include "harness/bench_rounds.h"
 #include "harness/live/headless.h"
 #include "harness/sweep/outcome.h"
 

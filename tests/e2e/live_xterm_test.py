@@ -7,42 +7,22 @@ font is missing.
 """
 
 import json
-import os
 import re
-import shutil
-import subprocess
-import sys
 import time
 import unittest
-from pathlib import Path
 
-from pictures import read_ppm
+import xterm_screen
 from program import ProgramTest
+from xterm_screen import CELL, Screen
 
-FONT = "-misc-fixed-medium-r-normal--18-*-*-*-*-*-iso10646-1"
-FONT_FILES = "/usr/share/fonts/X11/misc"
-CELL = (9, 18)
 GRID = (40, 16)
 PICTURE_ROWS = GRID[1] - 1  # The last row is the status line.
-SIZE = (GRID[0] * CELL[0], GRID[1] * CELL[1])
 TIMEOUT = 120
 
 PIECE = re.compile(r"\x1b\[(\d+);(\d+)H|\x1b\[([\d;]*)m|\x1b\[2J|(.)", re.S)
 
 
-def missing():
-    """What this test needs and does not find."""
-    for program in ("xterm", "Xvfb", "import", "convert"):
-        if not shutil.which(program):
-            return program
-    if not list(Path(FONT_FILES).glob("9x18.pcf*")):
-        return "the font 9x18 (xfonts-base)"
-    return None
-
-
-if missing():
-    print(f"skipped: there is no {missing()}")
-    sys.exit(77)
+xterm_screen.need()
 
 
 def replay(text):
@@ -73,34 +53,17 @@ def pixel(cell, y):
 
 class LiveXtermTest(ProgramTest):
 
-    def setUp(self):
-        super().setUp()
-        read, write = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0",
-             "%dx%dx24" % SIZE, "-nolisten", "tcp"], pass_fds=[write],
-            stderr=subprocess.DEVNULL)
-        os.close(write)
-        self.addCleanup(self.server.wait, TIMEOUT)
-        self.addCleanup(self.server.terminate)
-        with os.fdopen(read) as pipe:
-            display = ":" + pipe.readline().strip()
-        self.environment = dict(os.environ, DISPLAY=display,
-                                LC_ALL="C.UTF-8")
-        self.environment.pop("NO_COLOR", None)
-
     def test_the_screen_shows_what_was_sent(self):
-        terminal = subprocess.Popen(
-            ["xterm", "-b", "0", "-bw", "0", "+sb", "-u8", "-geometry",
-             "%dx%d+0+0" % GRID, "-fn", FONT, "-bg", "black", "-fg", "gray90",
-             "-e", str(self.program), "live", "--scene=whitted",
-             "--encoder=half", "--record=a.cast"],
-            env=self.environment, cwd=self.folder, stderr=subprocess.PIPE)
+        screen = Screen(GRID)
+        self.addCleanup(screen.close)
+        terminal = screen.start(
+            [str(self.program), "live", "--scene=whitted", "--encoder=half",
+             "--record=a.cast"], self.folder)
         self.addCleanup(terminal.communicate, timeout=TIMEOUT)
         self.addCleanup(terminal.terminate)
         cells = self.wait_until_still(terminal)
-        width, height, shown = self.screenshot()
-        self.assertEqual((width, height), SIZE)
+        width, height, shown = screen.picture()
+        self.assertEqual((width, height), screen.size)
         wrong = []
         for y in range(PICTURE_ROWS * CELL[1]):
             for x in range(width):
@@ -135,16 +98,6 @@ class LiveXtermTest(ProgramTest):
         sent = "".join(data for _, kind, data in events if kind == "o")
         return {place: cell for place, cell in replay(sent).items()
                 if place[1] < PICTURE_ROWS}
-
-    def screenshot(self):
-        shot = subprocess.run(["import", "-window", "root", "ppm:-"],
-                              env=self.environment, stdout=subprocess.PIPE,
-                              check=True, timeout=TIMEOUT)
-        plain = subprocess.run(
-            ["convert", "ppm:-", "-depth", "8", "-compress", "none", "ppm:-"],
-            input=shot.stdout, stdout=subprocess.PIPE, check=True,
-            timeout=TIMEOUT)
-        return read_ppm(plain.stdout)
 
 
 if __name__ == "__main__":

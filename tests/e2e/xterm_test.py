@@ -8,104 +8,49 @@ font is missing.
 
 import os
 import shlex
-import shutil
-import subprocess
-import sys
 import time
 import unittest
 from pathlib import Path
 
-from pictures import png, read_png, read_ppm
+import xterm_screen
+from pictures import png, read_png
 from program import ProgramTest
+from xterm_screen import CELL, PATIENCE, Screen
 
-FONT = "-misc-fixed-medium-r-normal--18-*-*-*-*-*-iso10646-1"
-FONT_FILES = "/usr/share/fonts/X11/misc"
-CELL = (9, 18)
 GRID = (40, 20)
 SIZE = (GRID[0] * CELL[0], GRID[1] * CELL[1])
-TIMEOUT = 60
+
+xterm_screen.need()
 
 
-def missing():
-    """What this test needs and does not find."""
-    for program in ("xterm", "Xvfb", "import", "convert"):
-        if not shutil.which(program):
-            return program
-    if not list(Path(FONT_FILES).glob("9x18.pcf*")):
-        return "the font 9x18 (xfonts-base)"
-    return None
+def show(screen, ansi, shown):
+    """(width, height, pixels) of an xterm that shows a file's text.
+
+    `shown` is a file that says when the terminal has drawn it all.
+    """
+    # The terminal answers the cursor report when it has drawn what came
+    # before; the cursor is hidden, and so is whatever is typed.
+    script = ("stty -echo -icanon min 1; printf '\\033[?25l';"
+              "head -c -1 %s; printf '\\033[6n'; head -c 6 >/dev/null;"
+              "touch %s; exec sleep %d" % (
+                  shlex.quote(str(ansi)), shlex.quote(str(shown)), PATIENCE))
+    terminal = screen.start(["sh", "-c", script])
+    try:
+        wait(terminal, shown)
+        return screen.picture()
+    finally:
+        terminal.terminate()
+        terminal.communicate(timeout=PATIENCE)
 
 
-if missing():
-    print(f"skipped: there is no {missing()}")
-    sys.exit(77)
-
-
-class Screen:
-    """An X server without a display, on a number that was free."""
-
-    def __init__(self):
-        read, write = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0",
-             "%dx%dx24" % SIZE, "-nolisten", "tcp"],
-            pass_fds=[write], stderr=subprocess.DEVNULL)
-        os.close(write)
-        with os.fdopen(read) as pipe:
-            self.display = ":" + pipe.readline().strip()
-        if self.display == ":":
-            raise RuntimeError("Xvfb does not start")
-        self.environment = dict(os.environ, DISPLAY=self.display,
-                                LC_ALL="C.UTF-8")
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait(TIMEOUT)
-
-    def show(self, ansi, shown):
-        """(width, height, pixels) of an xterm that shows a file's text.
-
-        `shown` is a file that says when the terminal has drawn it all.
-        """
-        # The terminal answers the cursor report when it has drawn what came
-        # before; the cursor is hidden, and so is whatever is typed.
-        script = ("stty -echo -icanon min 1; printf '\\033[?25l';"
-                  "head -c -1 %s; printf '\\033[6n'; head -c 6 >/dev/null;"
-                  "touch %s; exec sleep %d" % (
-                      shlex.quote(str(ansi)), shlex.quote(str(shown)),
-                      TIMEOUT))
-        options = ["-b", "0", "-bw", "0", "+sb", "-u8", "-geometry",
-                   "%dx%d+0+0" % GRID, "-fn", FONT, "-bg", "black", "-fg",
-                   "gray90"]
-        terminal = subprocess.Popen(
-            ["xterm", *options, "-e", "sh", "-c", script],
-            env=self.environment, stderr=subprocess.PIPE)
-        try:
-            self.wait(terminal, shown)
-            return self.picture()
-        finally:
-            terminal.terminate()
-            terminal.communicate(timeout=TIMEOUT)
-
-    @staticmethod
-    def wait(terminal, shown):
-        deadline = time.monotonic() + TIMEOUT
-        while not shown.exists():
-            if terminal.poll() is not None:
-                raise RuntimeError(terminal.stderr.read().decode())
-            if time.monotonic() > deadline:
-                raise RuntimeError("xterm does not draw")
-            time.sleep(0.05)
-
-    def picture(self):
-        shot = subprocess.run(
-            ["import", "-window", "root", "ppm:-"], env=self.environment,
-            stdout=subprocess.PIPE, check=True, timeout=TIMEOUT)
-        plain = subprocess.run(
-            ["convert", "ppm:-", "-depth", "8", "-compress", "none", "ppm:-"],
-            input=shot.stdout, stdout=subprocess.PIPE, check=True,
-            timeout=TIMEOUT)
-        return read_ppm(plain.stdout)
+def wait(terminal, shown):
+    deadline = time.monotonic() + PATIENCE
+    while not shown.exists():
+        if terminal.poll() is not None:
+            raise RuntimeError(terminal.stderr.read().decode())
+        if time.monotonic() > deadline:
+            raise RuntimeError("xterm does not draw")
+        time.sleep(0.05)
 
 
 def differences(shown, decoded):
@@ -136,7 +81,7 @@ class XtermTest(ProgramTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.screen = Screen()
+        cls.screen = Screen(GRID)
         cls.addClassCleanup(cls.screen.close)
 
     def compare(self, *args):
@@ -147,8 +92,9 @@ class XtermTest(ProgramTest):
                 "--fit=stretch", *args]
         self.succeed(*base, "--output=cells.ansi")
         self.succeed(*base, "--cell=%dx%d" % CELL, "--output=decoded.png")
-        width, height, shown = self.screen.show(self.folder / "cells.ansi",
-                                                self.folder / "shown")
+        width, height, shown = show(self.screen,
+                                    self.folder / "cells.ansi",
+                                    self.folder / "shown")
         keep = os.environ.get("RTBENCH_SCREENSHOTS")
         if keep:
             name = "_".join(a.strip("-").replace("=", "_") for a in args)

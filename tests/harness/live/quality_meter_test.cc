@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "core/base/check.h"
-#include "harness/live/converged_image.h"
 #include "harness/live/frame_maker.h"
+#include "harness/live/progressive_image.h"
 
 namespace rtb {
 namespace {
@@ -52,8 +52,8 @@ TEST(QualityMeter, FinerCellsAreNearerToTheConvergedPicture) {
   EXPECT_EQ(fine.passes, QualityMeter::kMostRays);
 }
 
-TEST(ConvergedImage, BeginsAnewForAnotherView) {
-  ConvergedImage image;
+TEST(ProgressiveImage, BeginsAnewForAnotherView) {
+  ProgressiveImage image;
   LiveView view = ViewOf("half");
   ASSERT_TRUE(image.Aim(view));
   ASSERT_TRUE(image.Step(4));

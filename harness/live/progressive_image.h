@@ -1,5 +1,5 @@
 /// @file
-/// ConvergedImage: a picture that grows better with every step.
+/// ProgressiveImage: a picture that grows better with every step.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace rtb {
 
 /// 8 x 16 pixels a cell of a view, rendered with more and more rays. Encoders
 /// do not matter.
-class ConvergedImage {
+class ProgressiveImage {
  public:
   static constexpr int kCellWidth = 8;
   static constexpr int kCellHeight = 16;

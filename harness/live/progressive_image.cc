@@ -1,10 +1,10 @@
-#include "harness/live/converged_image.h"
+#include "harness/live/progressive_image.h"
 
 #include "core/image/io.h"
 
 namespace rtb {
 
-Status ConvergedImage::Aim(const LiveView& view) {
+Status ProgressiveImage::Aim(const LiveView& view) {
   if (aimed_ && SameSamples(view, view_)) return {};
   const bool scene_stays =
       aimed_ && view.scene == view_.scene && view.backend == view_.backend;
@@ -25,7 +25,7 @@ Status ConvergedImage::Aim(const LiveView& view) {
   return {};
 }
 
-Status ConvergedImage::Step(int rays) {
+Status ProgressiveImage::Step(int rays) {
   RenderOptions options;
   options.time = view_.time;
   options.spp = rays;
@@ -46,7 +46,7 @@ Status ConvergedImage::Step(int rays) {
   return {};
 }
 
-Image ConvergedImage::Displayed() const {
+Image ProgressiveImage::Displayed() const {
   Image linear(view_.grid.columns * kCellWidth, view_.grid.rows * kCellHeight);
   const float scale = 1 / static_cast<float>(rays_);
   std::size_t at = 0;
