@@ -1,0 +1,283 @@
+/// @file
+/// What the walks through a BVH look for: the closest hit, or anything that
+/// blocks. Each is a tree's leaf visitor; that of a placed mesh walks the
+/// mesh's tree in turn.
+#pragma once
+
+#include "core/accel/bvh_lanes.h"
+#include "core/accel/bvh_walk.h"
+#include "core/accel/intersect.h"
+#include "core/base/host_device.h"
+
+namespace rtb {
+
+/// Triangles of a leaf that the ray meets, pack by pack.
+/// @param meet called with the pack, what was found in it and which triangle;
+/// returns whether to stop.
+template <class Lanes, class Meet>
+RTB_HD bool ForEachTriangle(const TrianglePack* packs, BvhRef ref,
+                            const ShearedRay& ray, const float& t_max,
+                            const Meet& meet) {
+  for (std::uint32_t k = 0; k < ref.count(); ++k) {
+    const TrianglePack& pack = packs[ref.index() + k];
+    PackHits found;
+    Lanes::MeetTriangles(pack, ray, t_max, &found);
+    for (unsigned rest = found.uncertain; rest != 0; rest &= rest - 1) {
+      PortableLanes::MeetExactly(pack, ray, t_max, LowestBit(rest), &found);
+    }
+    for (unsigned rest = found.hits; rest != 0; rest &= rest - 1) {
+      if (meet(pack, found, LowestBit(rest))) return true;
+    }
+  }
+  return false;
+}
+
+/// The closest hit among triangles of one table.
+template <class Lanes>
+class ClosestTriangle {
+ public:
+  /// @param kind kTriangle or kMesh.
+  /// @param use which placed mesh, -1 = none.
+  RTB_HD ClosestTriangle(const TrianglePack* packs, const V3f& from,
+                         const V3f& direction, PrimitiveKind kind, int use,
+                         Hit* hit, float* t_max)
+      : packs_(packs),
+        ray_(from, direction),
+        kind_(kind),
+        use_(use),
+        hit_(hit),
+        t_max_(t_max) {}
+
+  RTB_HD float t_max() const { return *t_max_; }
+  RTB_HD bool Visit(BvhRef ref) {
+    return ForEachTriangle<Lanes>(
+        packs_, ref, ray_, *t_max_,
+        [this](const TrianglePack& pack, const PackHits& found, int i) {
+          if (found.t[i] < *t_max_) {
+            *t_max_ = found.t[i];
+            *hit_ = {kind_,      static_cast<int>(pack.id[i]),
+                     found.t[i], found.u[i],
+                     found.v[i], use_};
+          }
+          return false;
+        });
+  }
+
+ private:
+  const TrianglePack* packs_;
+  const ShearedRay ray_;
+  const PrimitiveKind kind_;
+  const int use_;
+  Hit* hit_;
+  float* t_max_;
+};
+
+/// The closest hit in the tree of what stands still, or of what moves.
+template <class Lanes>
+class ClosestInPart {
+ public:
+  RTB_HD ClosestInPart(const BvhView& view, const BvhTables& tables,
+                       const Ray& ray, Hit* hit, float* t_max)
+      : view_(view),
+        ray_(ray),
+        triangles_(tables.packs, ray.origin, ray.direction,
+                   PrimitiveKind::kTriangle, -1, hit, t_max),
+        hit_(hit),
+        t_max_(t_max) {}
+
+  RTB_HD float t_max() const { return *t_max_; }
+  RTB_HD bool Visit(BvhRef ref) {
+    const int index = static_cast<int>(ref.index());
+    switch (ref.kind()) {
+      case BvhKind::kTriangles:
+        return triangles_.Visit(ref);
+      case BvhKind::kSphere:
+        Take(PrimitiveKind::kSphere, index,
+             IntersectSphere(view_.geometry.spheres[index], ray_.origin,
+                             ray_.direction));
+        return false;
+      case BvhKind::kDisk:
+        Take(PrimitiveKind::kDisk, index,
+             IntersectDisk(view_.geometry.disks[index], ray_.origin,
+                           ray_.direction));
+        return false;
+      default:
+        VisitMesh(index);
+        return false;
+    }
+  }
+
+ private:
+  RTB_HD void Take(PrimitiveKind kind, int index, const Roots& roots) {
+    for (int k = 0; k < roots.count; ++k) {
+      if (!(roots.t[k] > 0)) continue;
+      if (!(roots.t[k] < *t_max_)) return;
+      *t_max_ = roots.t[k];
+      *hit_ = {kind, index, roots.t[k], 0, 0, -1};
+      return;
+    }
+  }
+
+  RTB_HD void VisitMesh(int index) {
+    const MeshUse& use = view_.geometry.uses[index];
+    const Affinef& inverse = view_.geometry.objects[use.object].world_to_object;
+    const V3f from = inverse.Point(ray_.origin);
+    const V3f direction = inverse.Direction(ray_.direction);
+    ClosestTriangle<Lanes> leaf(view_.meshes.packs, from, direction,
+                                PrimitiveKind::kMesh, index, hit_, t_max_);
+    WalkBvh<Lanes>(view_.meshes.nodes, view_.mesh_roots[use.mesh], from,
+                   direction, &leaf);
+  }
+
+  const BvhView& view_;
+  const Ray& ray_;
+  ClosestTriangle<Lanes> triangles_;
+  Hit* hit_;
+  float* t_max_;
+};
+
+/// What a shadow ray's light meets.
+struct BvhCrossing {
+  bool opaque = false;   ///< Nothing counts as transparent.
+  bool crossed = false;  ///< It met something transparent.
+  bool blocked = false;
+
+  /// Notes that an object is met. @return whether that blocks the light.
+  RTB_HD bool Cross(const BvhView& view, int object) {
+    if (opaque || view.transmittance[object] == Rgb(0)) {
+      blocked = true;
+    } else {
+      crossed = true;
+    }
+    return blocked;
+  }
+};
+
+/// Whether anything of a mesh is met.
+template <class Lanes>
+class AnyTriangle {
+ public:
+  RTB_HD AnyTriangle(const TrianglePack* packs, const V3f& from,
+                     const V3f& direction, float t_max)
+      : packs_(packs), ray_(from, direction), t_max_(t_max) {}
+
+  RTB_HD float t_max() const { return t_max_; }
+  RTB_HD bool Visit(BvhRef ref) {
+    met_ = ForEachTriangle<Lanes>(
+        packs_, ref, ray_, t_max_,
+        [](const TrianglePack&, const PackHits&, int) { return true; });
+    return met_;
+  }
+  RTB_HD bool met() const { return met_; }
+
+ private:
+  const TrianglePack* packs_;
+  const ShearedRay ray_;
+  const float t_max_;
+  bool met_ = false;
+};
+
+/// Whether something blocks in the tree of what stands still, or moves.
+template <class Lanes>
+class BlockedInPart {
+ public:
+  RTB_HD BlockedInPart(const BvhView& view, const BvhTables& tables,
+                       const Ray& ray, BvhCrossing* crossing)
+      : view_(view),
+        packs_(tables.packs),
+        ray_(ray),
+        sheared_(ray.origin, ray.direction),
+        crossing_(crossing) {}
+
+  RTB_HD float t_max() const { return ray_.t_max; }
+  RTB_HD bool Visit(BvhRef ref) {
+    const int index = static_cast<int>(ref.index());
+    switch (ref.kind()) {
+      case BvhKind::kTriangles:
+        return VisitTriangles(ref);
+      case BvhKind::kSphere: {
+        const Quadric& sphere = view_.geometry.spheres[index];
+        return Take(sphere,
+                    IntersectSphere(sphere, ray_.origin, ray_.direction));
+      }
+      case BvhKind::kDisk: {
+        const Quadric& disk = view_.geometry.disks[index];
+        return Take(disk, IntersectDisk(disk, ray_.origin, ray_.direction));
+      }
+      default:
+        return VisitMesh(view_.geometry.uses[index]);
+    }
+  }
+
+ private:
+  RTB_HD bool VisitTriangles(BvhRef ref) {
+    return ForEachTriangle<Lanes>(
+        packs_, ref, sheared_, ray_.t_max,
+        [this](const TrianglePack& pack, const PackHits&, int i) {
+          return crossing_->Cross(view_,
+                                  view_.geometry.triangle_objects[pack.id[i]]);
+        });
+  }
+
+  RTB_HD bool Take(const Quadric& quadric, const Roots& roots) {
+    for (int k = 0; k < roots.count; ++k) {
+      if (!(roots.t[k] > 0)) continue;
+      if (!(roots.t[k] < ray_.t_max)) return false;
+      return crossing_->Cross(view_, quadric.object);
+    }
+    return false;
+  }
+
+  RTB_HD bool VisitMesh(const MeshUse& use) {
+    const Affinef& inverse = view_.geometry.objects[use.object].world_to_object;
+    const V3f from = inverse.Point(ray_.origin);
+    const V3f direction = inverse.Direction(ray_.direction);
+    AnyTriangle<Lanes> leaf(view_.meshes.packs, from, direction, ray_.t_max);
+    WalkBvh<Lanes>(view_.meshes.nodes, view_.mesh_roots[use.mesh], from,
+                   direction, &leaf);
+    return leaf.met() && crossing_->Cross(view_, use.object);
+  }
+
+  const BvhView& view_;
+  const TrianglePack* packs_;
+  const Ray& ray_;
+  const ShearedRay sheared_;
+  BvhCrossing* crossing_;
+};
+
+/// The closest hit on (0, ray.t_max).
+template <class Lanes>
+RTB_HD Hit ClosestInBvh(const BvhView& view, const Ray& ray) {
+  Hit hit;
+  if (!IsTraceable(ray)) return hit;
+  IntersectPlanes(view.geometry, ray, &hit);
+  float t_max = hit.kind == PrimitiveKind::kNothing ? ray.t_max : hit.t;
+  ClosestInPart<Lanes> still(view, view.still, ray, &hit, &t_max);
+  WalkBvh<Lanes>(view.still.nodes, view.still_root, ray.origin, ray.direction,
+                 &still);
+  if (view.moving_root.ref.kind() == BvhKind::kNothing) return hit;
+  ClosestInPart<Lanes> moving(view, view.moving, ray, &hit, &t_max);
+  WalkBvh<Lanes>(view.moving.nodes, view.moving_root, ray.origin, ray.direction,
+                 &moving);
+  return hit;
+}
+
+/// Finds out whether something blocks a ray.
+template <class Lanes>
+RTB_HD void CrossBvh(const BvhView& view, const Ray& ray,
+                     BvhCrossing* crossing) {
+  if (!IsTraceable(ray)) return;
+  const auto cross = [&](int object) { return crossing->Cross(view, object); };
+  if (BlockedByPlanes(view.geometry, ray, cross)) return;
+  BlockedInPart<Lanes> still(view, view.still, ray, crossing);
+  WalkBvh<Lanes>(view.still.nodes, view.still_root, ray.origin, ray.direction,
+                 &still);
+  if (crossing->blocked || view.moving_root.ref.kind() == BvhKind::kNothing) {
+    return;
+  }
+  BlockedInPart<Lanes> moving(view, view.moving, ray, crossing);
+  WalkBvh<Lanes>(view.moving.nodes, view.moving_root, ray.origin, ray.direction,
+                 &moving);
+}
+
+}  // namespace rtb
