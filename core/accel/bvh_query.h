@@ -11,22 +11,34 @@
 
 namespace rtb {
 
-/// Triangles of a leaf that the ray meets, pack by pack.
-/// @param meet called with the pack, what was found in it and which triangle;
-/// returns whether to stop.
+/// A ray as the triangles of one tree meet it, in the tree's coordinates.
+struct TriangleRay {
+  const V3f origin;
+  const V3f direction;
+  const ShearedRay sheared;
+
+  RTB_HD TriangleRay(const V3f& from, const V3f& along)
+      : origin(from), direction(along), sheared(from, along) {}
+};
+
+/// Triangles of a leaf that the ray meets on (0, t_max).
+/// @param meet called with the pack, what was found in it, which triangle and
+/// where on the ray; returns whether to stop.
 template <class Lanes, class Meet>
 RTB_HD bool ForEachTriangle(const TrianglePack* packs, BvhRef ref,
-                            const ShearedRay& ray, const float& t_max,
+                            const TriangleRay& ray, const float& t_max,
                             const Meet& meet) {
   for (std::uint32_t k = 0; k < ref.count(); ++k) {
     const TrianglePack& pack = packs[ref.index() + k];
     PackHits found;
-    Lanes::MeetTriangles(pack, ray, t_max, &found);
+    Lanes::MeetTriangles(pack, ray.sheared, &found);
     for (unsigned rest = found.uncertain; rest != 0; rest &= rest - 1) {
-      PortableLanes::MeetExactly(pack, ray, t_max, LowestBit(rest), &found);
+      PortableLanes::MeetExactly(pack, ray.sheared, LowestBit(rest), &found);
     }
     for (unsigned rest = found.hits; rest != 0; rest &= rest - 1) {
-      if (meet(pack, found, LowestBit(rest))) return true;
+      const int i = LowestBit(rest);
+      const float t = PlaneDistance(pack, i, ray.origin, ray.direction);
+      if (t > 0 && t < t_max && meet(pack, found, i, t)) return true;
     }
   }
   return false;
@@ -52,20 +64,21 @@ class ClosestTriangle {
   RTB_HD bool Visit(BvhRef ref) {
     return ForEachTriangle<Lanes>(
         packs_, ref, ray_, *t_max_,
-        [this](const TrianglePack& pack, const PackHits& found, int i) {
-          if (found.t[i] < *t_max_) {
-            *t_max_ = found.t[i];
-            *hit_ = {kind_,      static_cast<int>(pack.id[i]),
-                     found.t[i], found.u[i],
-                     found.v[i], use_};
-          }
+        [this](const TrianglePack& pack, const PackHits& found, int i,
+               float t) {
+          const float u = found.weight[0][i], v = found.weight[1][i];
+          const float w = found.weight[2][i];
+          const float scale = 1 / (u + v + w);
+          *t_max_ = t;
+          *hit_ = {kind_, static_cast<int>(pack.id[i]), t, v * scale, w * scale,
+                   use_};
           return false;
         });
   }
 
  private:
   const TrianglePack* packs_;
-  const ShearedRay ray_;
+  const TriangleRay ray_;
   const PrimitiveKind kind_;
   const int use_;
   Hit* hit_;
@@ -165,14 +178,14 @@ class AnyTriangle {
   RTB_HD bool Visit(BvhRef ref) {
     met_ = ForEachTriangle<Lanes>(
         packs_, ref, ray_, t_max_,
-        [](const TrianglePack&, const PackHits&, int) { return true; });
+        [](const TrianglePack&, const PackHits&, int, float) { return true; });
     return met_;
   }
   RTB_HD bool met() const { return met_; }
 
  private:
   const TrianglePack* packs_;
-  const ShearedRay ray_;
+  const TriangleRay ray_;
   const float t_max_;
   bool met_ = false;
 };
@@ -186,7 +199,7 @@ class BlockedInPart {
       : view_(view),
         packs_(tables.packs),
         ray_(ray),
-        sheared_(ray.origin, ray.direction),
+        triangle_ray_(ray.origin, ray.direction),
         crossing_(crossing) {}
 
   RTB_HD float t_max() const { return ray_.t_max; }
@@ -212,8 +225,8 @@ class BlockedInPart {
  private:
   RTB_HD bool VisitTriangles(BvhRef ref) {
     return ForEachTriangle<Lanes>(
-        packs_, ref, sheared_, ray_.t_max,
-        [this](const TrianglePack& pack, const PackHits&, int i) {
+        packs_, ref, triangle_ray_, ray_.t_max,
+        [this](const TrianglePack& pack, const PackHits&, int i, float) {
           return crossing_->Cross(view_,
                                   view_.geometry.triangle_objects[pack.id[i]]);
         });
@@ -241,7 +254,7 @@ class BlockedInPart {
   const BvhView& view_;
   const TrianglePack* packs_;
   const Ray& ray_;
-  const ShearedRay sheared_;
+  const TriangleRay triangle_ray_;
   BvhCrossing* crossing_;
 };
 

@@ -17,8 +17,8 @@ namespace rtb {
 /// makes it the z axis.
 struct ShearedRay {
   int kx, ky, kz;
-  float origin[3];   ///< Permuted.
-  float sx, sy, sz;  ///< The shear, and the scale along z.
+  float origin[3];  ///< Permuted.
+  float sx, sy;     ///< The shear.
 
   RTB_HD ShearedRay(const V3f& from, const V3f& direction) {
     const float x = std::abs(direction.x);
@@ -32,9 +32,8 @@ struct ShearedRay {
     origin[0] = o[kx];
     origin[1] = o[ky];
     origin[2] = o[kz];
-    sz = 1 / d[kz];
-    sx = d[kx] * sz;
-    sy = d[ky] * sz;
+    sx = d[kx] / d[kz];
+    sy = d[ky] / d[kz];
   }
 };
 
