@@ -4,7 +4,6 @@
 #include <type_traits>
 
 #include "core/accel/bvh_boxes.h"
-#include "core/accel/bvh_tracer.h"
 #include "core/base/check.h"
 
 namespace rtb {
@@ -64,15 +63,15 @@ void BvhAccel::RenewView() {
 }
 
 Hit BvhAccel::Closest(const Ray& ray) const {
-  return BvhTracer(view_).Closest(ray);
+  return kernels_->closest(view_, ray);
 }
 
 Rgb BvhAccel::Transmittance(const Ray& ray) const {
-  return BvhTracer(view_).Transmittance(ray);
+  return kernels_->transmittance(view_, ray);
 }
 
 bool BvhAccel::Occluded(const Ray& ray) const {
-  return BvhTracer(view_).Occluded(ray);
+  return kernels_->occluded(view_, ray);
 }
 
 }  // namespace rtb

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/accel/bvh_builder.h"
+#include "core/accel/bvh_kernels.h"
 #include "core/accel/bvh_view.h"
 #include "core/accel/ray.h"
 #include "core/base/result.h"
@@ -73,6 +74,7 @@ class BvhAccel {
   void RenewView();
 
   BvhBuilder builder_;
+  const BvhKernels* kernels_ = &RunnableBvhKernels().back();
   Geometry* geometry_ = nullptr;
   BvhArrays still_, moving_, meshes_;
   BvhRoot still_root_, moving_root_;

@@ -48,6 +48,8 @@ RTB_HD bool ForEachTriangle(const TrianglePack* packs, BvhRef ref,
 template <class Lanes>
 class ClosestTriangle {
  public:
+  static constexpr bool kNearFirst = true;
+
   /// @param kind kTriangle or kMesh.
   /// @param use which placed mesh, -1 = none.
   RTB_HD ClosestTriangle(const TrianglePack* packs, const V3f& from,
@@ -89,6 +91,8 @@ class ClosestTriangle {
 template <class Lanes>
 class ClosestInPart {
  public:
+  static constexpr bool kNearFirst = true;
+
   RTB_HD ClosestInPart(const BvhView& view, const BvhTables& tables,
                        const Ray& ray, Hit* hit, float* t_max)
       : view_(view),
@@ -170,6 +174,8 @@ struct BvhCrossing {
 template <class Lanes>
 class AnyTriangle {
  public:
+  static constexpr bool kNearFirst = false;
+
   RTB_HD AnyTriangle(const TrianglePack* packs, const V3f& from,
                      const V3f& direction, float t_max)
       : packs_(packs), ray_(from, direction), t_max_(t_max) {}
@@ -194,6 +200,8 @@ class AnyTriangle {
 template <class Lanes>
 class BlockedInPart {
  public:
+  static constexpr bool kNearFirst = false;
+
   RTB_HD BlockedInPart(const BvhView& view, const BvhTables& tables,
                        const Ray& ray, BvhCrossing* crossing)
       : view_(view),

@@ -63,7 +63,17 @@ RTB_HD inline BvhStack::Entry EnterNearest(const BvhNode& node, unsigned met,
   return nearest;
 }
 
-/// Visits the leaves of a tree that the ray meets, the near before the far.
+/// Enters any of the children met.
+RTB_HD inline BvhStack::Entry EnterAny(const BvhNode& node, unsigned met,
+                                       BvhStack* stack) {
+  for (; (met & (met - 1)) != 0; met &= met - 1) {
+    stack->Push({node.child[LowestBit(met)], 0});
+  }
+  return {node.child[LowestBit(met)], 0};
+}
+
+/// Visits the leaves of a tree that the ray meets, the near before the far
+/// where Leaf::kNearFirst says that it is of use.
 /// @tparam Lanes the tests, e.g. PortableLanes.
 /// @param leaf answers t_max(), beyond which nothing is of interest, and
 /// Visit(ref), which returns whether the walk ends there.
@@ -83,7 +93,11 @@ RTB_HD void WalkBvh(const BvhNode* nodes, const BvhRoot& root, const V3f& from,
       float t[kBvhWidth];
       const unsigned met = Lanes::MeetBoxes(node, ray, leaf->t_max(), t);
       if (met == 0) break;
-      entry = EnterNearest(node, met, t, &stack);
+      if constexpr (Leaf::kNearFirst) {
+        entry = EnterNearest(node, met, t, &stack);
+      } else {
+        entry = EnterAny(node, met, &stack);
+      }
     }
     if (entry.ref.kind() != BvhKind::kNode && leaf->Visit(entry.ref)) return;
     do {
