@@ -52,8 +52,9 @@ Status BvhAccel::BuildMeshes(std::size_t begin, std::size_t end, int threads) {
 Result<BvhRoot> BvhAccel::BuildPart(const GeometryCounts& begin,
                                     const GeometryCounts& end, int threads,
                                     BvhArrays* arrays) const {
-  return builder_.Build(PartBoxes(*geometry_, mesh_roots_, begin, end),
-                        CornersOf(*geometry_), threads, arrays);
+  return builder_.Build(
+      PartBoxes(*geometry_, mesh_roots_, meshes_.nodes, begin, end),
+      CornersOf(*geometry_), threads, arrays);
 }
 
 void BvhAccel::RenewView() {

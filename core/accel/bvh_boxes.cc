@@ -33,24 +33,47 @@ void AddQuadrics(const std::vector<Quadric>& quadrics, BvhKind kind,
   }
 }
 
-/// The box around a box's image.
-BvhPrimitive PlacedBox(const MeshUse& use, const BvhRoot& root,
-                       std::uint32_t index) {
-  const Affinef& m = use.to_world;
-  V3f middle(0), half(0), reach(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const float lower = root.lower[axis], upper = root.upper[axis];
-    middle[axis] = (lower + upper) * 0.5f;
-    half[axis] = (upper - lower) * 0.5f;
-    reach[axis] = std::max(std::abs(lower), std::abs(upper));
-  }
-  const V3f center = m.Point(middle);
-  V3f extent = Abs(m.x) * half.x + Abs(m.y) * half.y + Abs(m.z) * half.z;
-  // What enters a placed position, and a ray's way into mesh space.
+/// Adds the image of a box, with room for the rounding of a ray's way there.
+void AddImage(const Affinef& m, const V3f& lower, const V3f& upper,
+              BvhBox* box) {
+  const V3f center = m.Point((lower + upper) * 0.5f);
+  const V3f half = (upper - lower) * 0.5f;
+  const V3f reach = Abs((lower + upper) * 0.5f) + half;
   const V3f scale = Abs(m.x) * reach.x + Abs(m.y) * reach.y +
                     Abs(m.z) * reach.z + Abs(m.origin);
-  extent += V3f(kMargin * MaxAbs(scale));
-  return {center - extent, center + extent, BvhKind::kUse, index};
+  const V3f extent = Abs(m.x) * half.x + Abs(m.y) * half.y + Abs(m.z) * half.z +
+                     V3f(kMargin * MaxAbs(scale));
+  box->Add(center - extent, center + extent);
+}
+
+/// Adds the images of the boxes `levels` below a node, which together are
+/// tighter about a turned mesh than that of the whole.
+void AddImages(const Affinef& m, const std::vector<BvhNode>& nodes,
+               const BvhNode& node, int levels, BvhBox* box) {
+  for (unsigned i = 0; i < kBvhWidth; ++i) {
+    const BvhRef child = node.child[i];
+    if (child.kind() == BvhKind::kNothing) continue;
+    if (child.kind() == BvhKind::kNode && levels > 1) {
+      AddImages(m, nodes, nodes[child.index()], levels - 1, box);
+      continue;
+    }
+    const auto& b = node.bounds;
+    AddImage(m, V3f(b[0][i], b[2][i], b[4][i]), V3f(b[1][i], b[3][i], b[5][i]),
+             box);
+  }
+}
+
+/// The box around a placed mesh.
+BvhBox PlacedBox(const Affinef& to_world, const BvhRoot& root,
+                 const std::vector<BvhNode>& nodes) {
+  BvhBox box;
+  if (root.ref.kind() == BvhKind::kNode) {
+    AddImages(to_world, nodes, nodes[root.ref.index()], 2, &box);
+  } else {
+    AddImage(to_world, V3f(root.lower[0], root.lower[1], root.lower[2]),
+             V3f(root.upper[0], root.upper[1], root.upper[2]), &box);
+  }
+  return box;
 }
 
 }  // namespace
@@ -62,6 +85,7 @@ std::vector<BvhPrimitive> MeshBoxes(const MeshData& mesh) {
 
 std::vector<BvhPrimitive> PartBoxes(const Geometry& geometry,
                                     std::span<const BvhRoot> mesh_roots,
+                                    const std::vector<BvhNode>& mesh_nodes,
                                     const GeometryCounts& begin,
                                     const GeometryCounts& end) {
   std::vector<BvhPrimitive> boxes =
@@ -73,7 +97,9 @@ std::vector<BvhPrimitive> PartBoxes(const Geometry& geometry,
     const MeshUse& use = geometry.uses[i];
     const BvhRoot& root = mesh_roots[static_cast<std::size_t>(use.mesh)];
     if (root.ref.kind() == BvhKind::kNothing) continue;  // no triangles
-    boxes.push_back(PlacedBox(use, root, static_cast<std::uint32_t>(i)));
+    const BvhBox box = PlacedBox(use.to_world, root, mesh_nodes);
+    boxes.push_back(
+        {box.lower, box.upper, BvhKind::kUse, static_cast<std::uint32_t>(i)});
   }
   return boxes;
 }

@@ -16,9 +16,10 @@ std::vector<BvhPrimitive> MeshBoxes(const MeshData& mesh);
 /// Primitives [begin, end) of a geometry's lists but planes, in the world;
 /// indices are the geometry's. Boxes have room for the rounding of centers,
 /// extents and transforms.
-/// @param mesh_roots of all meshes that are placed.
+/// @param mesh_roots of all meshes that are placed, into mesh_nodes.
 std::vector<BvhPrimitive> PartBoxes(const Geometry& geometry,
                                     std::span<const BvhRoot> mesh_roots,
+                                    const std::vector<BvhNode>& mesh_nodes,
                                     const GeometryCounts& begin,
                                     const GeometryCounts& end);
 

@@ -84,6 +84,7 @@ RTCBuildArguments Arguments(RTCBVH bvh, const BvhPrimitive* primitives,
   arguments.maxBranchingFactor = kBvhWidth;
   arguments.maxDepth = kBuilderDepth;
   arguments.sahBlockSize = kPackWidth;
+  arguments.minLeafSize = kPackWidth;
   arguments.maxLeafSize = kMaxLeafItems;
   arguments.bvh = bvh;
   arguments.primitives = items->data();

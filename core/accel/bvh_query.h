@@ -273,13 +273,14 @@ RTB_HD Hit ClosestInBvh(const BvhView& view, const Ray& ray) {
   if (!IsTraceable(ray)) return hit;
   IntersectPlanes(view.geometry, ray, &hit);
   float t_max = hit.kind == PrimitiveKind::kNothing ? ray.t_max : hit.t;
-  ClosestInPart<Lanes> still(view, view.still, ray, &hit, &t_max);
-  WalkBvh<Lanes>(view.still.nodes, view.still_root, ray.origin, ray.direction,
-                 &still);
-  if (view.moving_root.ref.kind() == BvhKind::kNothing) return hit;
-  ClosestInPart<Lanes> moving(view, view.moving, ray, &hit, &t_max);
-  WalkBvh<Lanes>(view.moving.nodes, view.moving_root, ray.origin, ray.direction,
-                 &moving);
+  for (int part = 0; part < 2; ++part) {
+    const bool moving = part == 1;
+    const BvhRoot& root = moving ? view.moving_root : view.still_root;
+    if (root.ref.kind() == BvhKind::kNothing) continue;
+    const BvhTables& tables = moving ? view.moving : view.still;
+    ClosestInPart<Lanes> leaf(view, tables, ray, &hit, &t_max);
+    WalkBvh<Lanes>(tables.nodes, root, ray.origin, ray.direction, &leaf);
+  }
   return hit;
 }
 
@@ -290,15 +291,15 @@ RTB_HD void CrossBvh(const BvhView& view, const Ray& ray,
   if (!IsTraceable(ray)) return;
   const auto cross = [&](int object) { return crossing->Cross(view, object); };
   if (BlockedByPlanes(view.geometry, ray, cross)) return;
-  BlockedInPart<Lanes> still(view, view.still, ray, crossing);
-  WalkBvh<Lanes>(view.still.nodes, view.still_root, ray.origin, ray.direction,
-                 &still);
-  if (crossing->blocked || view.moving_root.ref.kind() == BvhKind::kNothing) {
-    return;
+  for (int part = 0; part < 2; ++part) {
+    const bool moving = part == 1;
+    const BvhRoot& root = moving ? view.moving_root : view.still_root;
+    if (root.ref.kind() == BvhKind::kNothing) continue;
+    const BvhTables& tables = moving ? view.moving : view.still;
+    BlockedInPart<Lanes> leaf(view, tables, ray, crossing);
+    WalkBvh<Lanes>(tables.nodes, root, ray.origin, ray.direction, &leaf);
+    if (crossing->blocked) return;
   }
-  BlockedInPart<Lanes> moving(view, view.moving, ray, crossing);
-  WalkBvh<Lanes>(view.moving.nodes, view.moving_root, ray.origin, ray.direction,
-                 &moving);
 }
 
 }  // namespace rtb

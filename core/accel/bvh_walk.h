@@ -63,7 +63,8 @@ RTB_HD inline BvhStack::Entry EnterNearest(const BvhNode& node, unsigned met,
   return nearest;
 }
 
-/// Enters any of the children met.
+/// Enters the last of the children met: the builder puts those of the fewest
+/// primitives last, which tell soonest whether they block.
 RTB_HD inline BvhStack::Entry EnterAny(const BvhNode& node, unsigned met,
                                        BvhStack* stack) {
   for (; (met & (met - 1)) != 0; met &= met - 1) {
