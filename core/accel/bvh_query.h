@@ -62,6 +62,8 @@ class ClosestTriangle {
         hit_(hit),
         t_max_(t_max) {}
 
+  /// Goes on in another table.
+  RTB_HD void Enter(const TrianglePack* packs) { packs_ = packs; }
   RTB_HD float t_max() const { return *t_max_; }
   RTB_HD bool Visit(BvhRef ref) {
     return ForEachTriangle<Lanes>(
@@ -93,15 +95,17 @@ class ClosestInPart {
  public:
   static constexpr bool kNearFirst = true;
 
-  RTB_HD ClosestInPart(const BvhView& view, const BvhTables& tables,
-                       const Ray& ray, Hit* hit, float* t_max)
+  RTB_HD ClosestInPart(const BvhView& view, const Ray& ray, Hit* hit,
+                       float* t_max)
       : view_(view),
         ray_(ray),
-        triangles_(tables.packs, ray.origin, ray.direction,
-                   PrimitiveKind::kTriangle, -1, hit, t_max),
+        triangles_(nullptr, ray.origin, ray.direction, PrimitiveKind::kTriangle,
+                   -1, hit, t_max),
         hit_(hit),
         t_max_(t_max) {}
 
+  /// Goes on in another part.
+  RTB_HD void Enter(const BvhTables& tables) { triangles_.Enter(tables.packs); }
   RTB_HD float t_max() const { return *t_max_; }
   RTB_HD bool Visit(BvhRef ref) {
     const int index = static_cast<int>(ref.index());
@@ -202,14 +206,15 @@ class BlockedInPart {
  public:
   static constexpr bool kNearFirst = false;
 
-  RTB_HD BlockedInPart(const BvhView& view, const BvhTables& tables,
-                       const Ray& ray, BvhCrossing* crossing)
+  RTB_HD BlockedInPart(const BvhView& view, const Ray& ray,
+                       BvhCrossing* crossing)
       : view_(view),
-        packs_(tables.packs),
         ray_(ray),
         triangle_ray_(ray.origin, ray.direction),
         crossing_(crossing) {}
 
+  /// Goes on in another part.
+  RTB_HD void Enter(const BvhTables& tables) { packs_ = tables.packs; }
   RTB_HD float t_max() const { return ray_.t_max; }
   RTB_HD bool Visit(BvhRef ref) {
     const int index = static_cast<int>(ref.index());
@@ -260,7 +265,7 @@ class BlockedInPart {
   }
 
   const BvhView& view_;
-  const TrianglePack* packs_;
+  const TrianglePack* packs_ = nullptr;
   const Ray& ray_;
   const TriangleRay triangle_ray_;
   BvhCrossing* crossing_;
@@ -273,13 +278,12 @@ RTB_HD Hit ClosestInBvh(const BvhView& view, const Ray& ray) {
   if (!IsTraceable(ray)) return hit;
   IntersectPlanes(view.geometry, ray, &hit);
   float t_max = hit.kind == PrimitiveKind::kNothing ? ray.t_max : hit.t;
+  ClosestInPart<Lanes> leaf(view, ray, &hit, &t_max);
   for (int part = 0; part < 2; ++part) {
-    const bool moving = part == 1;
-    const BvhRoot& root = moving ? view.moving_root : view.still_root;
-    if (root.ref.kind() == BvhKind::kNothing) continue;
-    const BvhTables& tables = moving ? view.moving : view.still;
-    ClosestInPart<Lanes> leaf(view, tables, ray, &hit, &t_max);
-    WalkBvh<Lanes>(tables.nodes, root, ray.origin, ray.direction, &leaf);
+    const BvhTables& tables = part == 0 ? view.still : view.moving;
+    leaf.Enter(tables);
+    WalkBvh<Lanes>(tables.nodes, part == 0 ? view.still_root : view.moving_root,
+                   ray.origin, ray.direction, &leaf);
   }
   return hit;
 }
@@ -291,14 +295,12 @@ RTB_HD void CrossBvh(const BvhView& view, const Ray& ray,
   if (!IsTraceable(ray)) return;
   const auto cross = [&](int object) { return crossing->Cross(view, object); };
   if (BlockedByPlanes(view.geometry, ray, cross)) return;
-  for (int part = 0; part < 2; ++part) {
-    const bool moving = part == 1;
-    const BvhRoot& root = moving ? view.moving_root : view.still_root;
-    if (root.ref.kind() == BvhKind::kNothing) continue;
-    const BvhTables& tables = moving ? view.moving : view.still;
-    BlockedInPart<Lanes> leaf(view, tables, ray, crossing);
-    WalkBvh<Lanes>(tables.nodes, root, ray.origin, ray.direction, &leaf);
-    if (crossing->blocked) return;
+  BlockedInPart<Lanes> leaf(view, ray, crossing);
+  for (int part = 0; part < 2 && !crossing->blocked; ++part) {
+    const BvhTables& tables = part == 0 ? view.still : view.moving;
+    leaf.Enter(tables);
+    WalkBvh<Lanes>(tables.nodes, part == 0 ? view.still_root : view.moving_root,
+                   ray.origin, ray.direction, &leaf);
   }
 }
 

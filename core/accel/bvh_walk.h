@@ -17,7 +17,8 @@ RTB_HD inline int LowestBit(unsigned bits) {
 #endif
 }
 
-/// Subtrees still to be entered, with where the ray enters them.
+/// Subtrees still to be entered, with where the ray enters them; at the other
+/// end, placed meshes that wait until nothing else is left.
 class BvhStack {
  public:
   struct Entry {
@@ -37,11 +38,26 @@ class BvhStack {
     }
     entries_[place] = entry;
   }
+  /// Lets a placed mesh wait. @return whether there was room.
+  RTB_HD bool Defer(BvhRef use) {
+    if (deferred_ == kRoom) return false;
+    entries_[kCapacity - ++deferred_] = {use, 0};
+    return true;
+  }
+  RTB_HD bool PopDeferred(BvhRef* use) {
+    if (deferred_ == 0) return false;
+    *use = entries_[kCapacity - deferred_--].ref;
+    return true;
+  }
 
  private:
   // A node's children but the one that is entered, on each level.
-  Entry entries_[kMaxBvhDepth * (kBvhWidth - 1) + 1];
+  static constexpr int kDepthFirst = kMaxBvhDepth * (kBvhWidth - 1) + 1;
+  static constexpr int kRoom = 32;
+  static constexpr int kCapacity = kDepthFirst + kRoom;
+  Entry entries_[kCapacity];
   int size_ = 0;
+  int deferred_ = 0;
 };
 
 /// Enters the nearest of the children met; the others wait.
@@ -63,48 +79,80 @@ RTB_HD inline BvhStack::Entry EnterNearest(const BvhNode& node, unsigned met,
   return nearest;
 }
 
-/// Enters the last of the children met: the builder puts those of the fewest
-/// primitives last, which tell soonest whether they block.
-RTB_HD inline BvhStack::Entry EnterAny(const BvhNode& node, unsigned met,
-                                       BvhStack* stack) {
-  for (; (met & (met - 1)) != 0; met &= met - 1) {
-    stack->Push({node.child[LowestBit(met)], 0});
+/// Pushes the children met, of which the last is entered next: the builder
+/// puts those of the fewest primitives last, which tell soonest whether they
+/// block. Placed meshes cost the most and wait.
+RTB_HD inline void PushAny(const BvhNode& node, unsigned met, BvhStack* stack) {
+  for (; met != 0; met &= met - 1) {
+    const BvhRef child = node.child[LowestBit(met)];
+    if (child.kind() == BvhKind::kUse && stack->Defer(child)) continue;
+    stack->Push({child, 0});
   }
-  return {node.child[LowestBit(met)], 0};
 }
 
-/// Visits the leaves of a tree that the ray meets, the near before the far
-/// where Leaf::kNearFirst says that it is of use.
+/// Visits the leaves of a tree that the ray meets, the near before the far.
 /// @tparam Lanes the tests, e.g. PortableLanes.
 /// @param leaf answers t_max(), beyond which nothing is of interest, and
-/// Visit(ref), which returns whether the walk ends there.
+/// Visit(ref).
 template <class Lanes, class Leaf>
-RTB_HD void WalkBvh(const BvhNode* nodes, const BvhRoot& root, const V3f& from,
-                    const V3f& direction, Leaf* leaf) {
-  if (root.ref.kind() != BvhKind::kNode) {
-    if (root.ref.kind() != BvhKind::kNothing) leaf->Visit(root.ref);
-    return;
-  }
-  const BoxRay ray(root, from, direction);
+RTB_HD void WalkNearFirst(const BvhNode* nodes, BvhRef root, const BoxRay& ray,
+                          Leaf* leaf) {
   BvhStack stack;
-  BvhStack::Entry entry{root.ref, 0};
+  BvhStack::Entry entry{root, 0};
   while (true) {
     while (entry.ref.kind() == BvhKind::kNode) {
       const BvhNode& node = nodes[entry.ref.index()];
       float t[kBvhWidth];
       const unsigned met = Lanes::MeetBoxes(node, ray, leaf->t_max(), t);
       if (met == 0) break;
-      if constexpr (Leaf::kNearFirst) {
-        entry = EnterNearest(node, met, t, &stack);
-      } else {
-        entry = EnterAny(node, met, &stack);
-      }
+      entry = EnterNearest(node, met, t, &stack);
     }
-    if (entry.ref.kind() != BvhKind::kNode && leaf->Visit(entry.ref)) return;
+    if (entry.ref.kind() != BvhKind::kNode) leaf->Visit(entry.ref);
     do {
       if (stack.empty()) return;
       entry = stack.Pop();
     } while (!(entry.t < leaf->t_max()));
+  }
+}
+
+/// Visits leaves in the order that may find something soonest, until
+/// leaf->Visit(ref) is true.
+template <class Lanes, class Leaf>
+RTB_HD void WalkUntilMet(const BvhNode* nodes, BvhRef root, const BoxRay& ray,
+                         Leaf* leaf) {
+  BvhStack stack;
+  stack.Push({root, 0});
+  while (!stack.empty()) {
+    const BvhRef ref = stack.Pop().ref;
+    if (ref.kind() == BvhKind::kNode) {
+      float t[kBvhWidth];
+      const BvhNode& node = nodes[ref.index()];
+      PushAny(node, Lanes::MeetBoxes(node, ray, leaf->t_max(), t), &stack);
+    } else if (leaf->Visit(ref)) {
+      return;
+    }
+  }
+  BvhRef use;
+  while (stack.PopDeferred(&use)) {
+    if (leaf->Visit(use)) return;
+  }
+}
+
+/// Takes a ray to the leaves of a tree.
+/// @tparam Leaf::kNearFirst in which of the two orders.
+template <class Lanes, class Leaf>
+RTB_HD void WalkBvh(const BvhNode* nodes, const BvhRoot& root, const V3f& from,
+                    const V3f& direction, Leaf* leaf) {
+  if (root.ref.kind() == BvhKind::kNothing) return;
+  if (root.ref.kind() != BvhKind::kNode) {
+    leaf->Visit(root.ref);
+    return;
+  }
+  const BoxRay ray(root, from, direction);
+  if constexpr (Leaf::kNearFirst) {
+    WalkNearFirst<Lanes>(nodes, root.ref, ray, leaf);
+  } else {
+    WalkUntilMet<Lanes>(nodes, root.ref, ray, leaf);
   }
 }
 
