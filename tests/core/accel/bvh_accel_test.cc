@@ -178,9 +178,18 @@ bool SameBytes(const std::vector<T>& a, const std::vector<T>& b) {
          std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
+/// Many small triangles in one place, and as many in another.
+void AddHeaps(FlatScene* flat) {
+  for (int i = 0; i < 20000; ++i) {
+    const V3f p(0, i % 2 == 0 ? 20.0f : -20.0f, 0);
+    flat->triangles.push_back({{p, p + V3f(1, 0, 0), p + V3f(0, 1, 0)}, 0});
+  }
+}
+
 TEST(BvhAccelTest, TheSameForAnyNumberOfThreads) {
   std::vector<TriangleMesh> meshes{Icosphere(5)};  // 20480 triangles
   FlatScene flat = Clutter(4000, 0);
+  AddHeaps(&flat);
   flat.meshes.push_back({0, 0});
   Geometry geometry = MakeGeometry(flat, meshes);
   const std::vector<Rgb> opaque(geometry.objects.size(), Rgb(0));
