@@ -7,11 +7,11 @@
 
 #include "core/render/backend.h"
 #include "core/render/integrators.h"
-#include "core/render/prepared_scene.h"
+#include "core/render/traced_scene.h"
 
 namespace rtb {
 
-/// @tparam Accel is what PreparedScene takes, and a tracer for RenderPlan.
+/// @tparam Accel is what TracedScene takes, and a tracer for RenderPlan.
 template <class Accel>
 class HostBackend : public Backend {
  public:
@@ -33,7 +33,7 @@ class HostBackend : public Backend {
  private:
   const std::string name_;
   const Scene& scene_;
-  PreparedScene<Accel> prepared_;
+  TracedScene<Accel> prepared_;
   RayCounts counts_;
 };
 

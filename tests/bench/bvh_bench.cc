@@ -15,7 +15,7 @@
 #include "core/math/frame.h"
 #include "core/math/random.h"
 #include "core/render/camera_rays.h"
-#include "core/render/prepared_scene.h"
+#include "core/render/traced_scene.h"
 #include "core/scene/animation.h"
 #include "core/scene/load.h"
 #include "core/shading/bsdf.h"
@@ -30,7 +30,7 @@ constexpr int kHeight = 320;
 /// A scene under both accelerators.
 struct Both {
   Scene scene;
-  PreparedParts parts;
+  SceneParts parts;
   std::optional<EmbreeAccel> embree;
   std::optional<BvhAccel> bvh;
   std::vector<Ray> camera;     ///< Through each pixel, row by row.

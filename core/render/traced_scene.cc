@@ -1,4 +1,4 @@
-#include "core/render/prepared_scene.h"
+#include "core/render/traced_scene.h"
 
 #include "core/scene/flat_scene.h"
 
@@ -14,8 +14,8 @@ Result<FlatScene> FlattenPart(const Scene& scene, double time, FlatPart part) {
 
 }  // namespace
 
-Result<PreparedParts> PrepareParts(const Scene& scene, double time) {
-  PreparedParts parts;
+Result<SceneParts> PrepareParts(const Scene& scene, double time) {
+  SceneParts parts;
   RTB_ASSIGN_OR_RETURN(const FlatScene still,
                        FlattenPart(scene, time, FlatPart::kStill));
   parts.geometry = MakeGeometry(still, scene.meshes);
@@ -24,7 +24,7 @@ Result<PreparedParts> PrepareParts(const Scene& scene, double time) {
   return parts;
 }
 
-Status MoveParts(const Scene& scene, double time, PreparedParts* parts) {
+Status MoveParts(const Scene& scene, double time, SceneParts* parts) {
   RTB_ASSIGN_OR_RETURN(const FlatScene moving,
                        FlattenPart(scene, time, FlatPart::kMoving));
   ReplaceMoving(moving, &parts->geometry);
@@ -32,7 +32,7 @@ Status MoveParts(const Scene& scene, double time, PreparedParts* parts) {
   return {};
 }
 
-std::vector<Rgb> Transmittances(const PreparedParts& parts) {
+std::vector<Rgb> Transmittances(const SceneParts& parts) {
   const ShadingView shading = ViewOf(parts.shading);
   std::vector<Rgb> transmittance;
   transmittance.reserve(parts.geometry.objects.size());

@@ -1,6 +1,6 @@
 /// @file
-/// PreparedScene: a Scene at one time with an accelerator over it, for every
-/// backend. The flow: Scene -> PreparedScene::GoTo(time) -> RenderPlan.
+/// TracedScene: a Scene at one time with an accelerator over it, for every
+/// backend. The flow: Scene -> TracedScene::GoTo(time) -> RenderPlan.
 #pragma once
 
 #include <optional>
@@ -15,31 +15,31 @@
 namespace rtb {
 
 /// The parts that every accelerator is built from.
-struct PreparedParts {
+struct SceneParts {
   Geometry geometry;
   ShadingScene shading;
 };
 
 /// Composes a scene at a time.
 /// @return the errors of Flatten and MakeShadingScene.
-Result<PreparedParts> PrepareParts(const Scene& scene, double time);
+Result<SceneParts> PrepareParts(const Scene& scene, double time);
 
 /// Takes the parts to another time; only what moves is touched.
-Status MoveParts(const Scene& scene, double time, PreparedParts* parts);
+Status MoveParts(const Scene& scene, double time, SceneParts* parts);
 
 /// What shadow rays lose at each object's surface; lights are opaque.
-std::vector<Rgb> Transmittances(const PreparedParts& parts);
+std::vector<Rgb> Transmittances(const SceneParts& parts);
 
 /// A scene that follows the time.
 /// @tparam Accel is built by Build(geometry, transmittance, threads) and
 /// follows by Update(transmittance, threads), e.g. EmbreeAccel.
 template <class Accel>
-class PreparedScene {
+class TracedScene {
  public:
   /// @param scene must outlive this; it is composed by the first GoTo.
-  explicit PreparedScene(const Scene& scene) : scene_(scene) {}
-  PreparedScene(const PreparedScene&) = delete;  // the accelerator points in
-  PreparedScene& operator=(const PreparedScene&) = delete;
+  explicit TracedScene(const Scene& scene) : scene_(scene) {}
+  TracedScene(const TracedScene&) = delete;  // the accelerator points in
+  TracedScene& operator=(const TracedScene&) = delete;
 
   /// Prepares the scene at that time, from where it was if it was anywhere.
   /// @param threads at most this many; 0 = all cores.
@@ -54,6 +54,7 @@ class PreparedScene {
 
   /// After GoTo.
   const Accel& accel() const { return *accel_; }
+  const Geometry& geometry() const { return parts_.geometry; }
   const ShadingScene& shading() const { return parts_.shading; }
 
  private:
@@ -73,7 +74,7 @@ class PreparedScene {
 
   const Scene& scene_;
   double time_ = 0;
-  PreparedParts parts_;
+  SceneParts parts_;
   std::optional<Accel> accel_;
 };
 
