@@ -5,7 +5,7 @@
 
 #include "core/accel/embree_impl.h"
 #include "core/accel/intersect.h"
-#include "core/accel/surface.h"
+#include "core/accel/stepped_transmittance.h"
 #include "core/base/check.h"
 #include "core/base/parallel.h"
 
@@ -126,12 +126,8 @@ Hit EmbreeAccel::Closest(const Ray& ray) const {
 }
 
 bool EmbreeAccel::Blocked(const Ray& ray, EmbreeQuery* query) const {
-  for (const PlaneData& plane : impl_->geometry->planes) {
-    const Roots roots = IntersectPlane(plane, ray.origin, ray.direction);
-    const bool crossed =
-        roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max;
-    if (crossed && !impl_->Cross(plane.object, query)) return true;
-  }
+  const auto cross = [&](int object) { return !impl_->Cross(object, query); };
+  if (BlockedByPlanes(impl_->view, ray, cross)) return true;
   rtcInitIntersectContext(&query->context);
   for (const EmbreePart* part : {&impl_->still, &impl_->moving}) {
     if (part->empty()) continue;
@@ -152,25 +148,8 @@ bool EmbreeAccel::Occluded(const Ray& ray) const {
 Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
   EmbreeQuery query;
   if (ray.t_max > 0 && Blocked(ray, &query)) return Rgb(0);
-  return query.crossed ? SteppedTransmittance(ray) : Rgb(1);
-}
-
-// Each step moves the ray's start a little, so that at last it may meet a
-// surface past its end or beside it, such as the light's own. Blocked has found
-// nothing opaque on the ray as it was, so none of these counts.
-Rgb EmbreeAccel::SteppedTransmittance(Ray ray) const {
-  Rgb left(1);
-  while (left != Rgb(0) && ray.t_max > 0) {
-    const Hit hit = Closest(ray);
-    if (hit.kind == PrimitiveKind::kNothing) break;
-    const SurfacePoint point = SurfaceAt(impl_->view, ray, hit);
-    const Rgb& through =
-        impl_->transmittance[static_cast<std::size_t>(point.object)];
-    if (through != Rgb(0)) left *= through;
-    ray.origin = LeavingOrigin(point, ray.direction);
-    ray.t_max -= hit.t;
-  }
-  return left;
+  if (!query.crossed) return Rgb(1);
+  return SteppedTransmittance(*this, impl_->transmittance.data(), ray);
 }
 
 const GeometryView& EmbreeAccel::geometry() const { return impl_->view; }

@@ -58,10 +58,6 @@ class EmbreeAccel {
   struct Impl;
 
  private:
-  /// The transmittance from surface to surface, each crossed once: an any-hit
-  /// query would count both triangles where a ray meets their common edge.
-  Rgb SteppedTransmittance(Ray ray) const;
-
   /// Whether something opaque lies on the ray; notes what else does.
   bool Blocked(const Ray& ray, EmbreeQuery* query) const;
 

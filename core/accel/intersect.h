@@ -72,4 +72,20 @@ RTB_HD inline void IntersectPlanes(const GeometryView& geometry, const Ray& ray,
   }
 }
 
+/// Whether a plane on the ray ends it.
+/// @param cross called with the object of each plane that the ray meets;
+/// returns whether it blocks the ray.
+template <class Cross>
+RTB_HD bool BlockedByPlanes(const GeometryView& geometry, const Ray& ray,
+                            const Cross& cross) {
+  for (int i = 0; i < geometry.plane_count; ++i) {
+    const PlaneData& plane = geometry.planes[i];
+    const Roots roots = IntersectPlane(plane, ray.origin, ray.direction);
+    const bool crossed =
+        roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max;
+    if (crossed && cross(plane.object)) return true;
+  }
+  return false;
+}
+
 }  // namespace rtb

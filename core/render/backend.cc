@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/render/bvh_backend.h"
 #include "core/render/embree_backend.h"
 
 namespace rtb {
@@ -17,8 +18,7 @@ struct Entry {
 
 constexpr std::array<Entry, 3> kEntries = {{
     {{"embree", "Embree on the CPU", true, ""}, MakeEmbreeBackend},
-    {{"bvh", "flat BVH on the CPU", false, "not part of this version"},
-     nullptr},
+    {{"bvh", "flat BVH on the CPU", true, ""}, MakeBvhBackend},
     {{"cuda", "flat BVH on an NVIDIA GPU", false, "not part of this version"},
      nullptr},
 }};

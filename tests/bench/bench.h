@@ -34,6 +34,10 @@ void RegisterRenderBenchmarks();
 /// core.
 void RegisterRaytermBenchmarks();
 
+/// `bvh/explore/QUERY/RAYS`: the flat BVH's closest hits and shadow rays in
+/// millions a second, Embree's on the same rays, and the `ratio`.
+void RegisterBvhBenchmarks();
+
 /// `live/draw/PRESENTER`: drawing 120 x 40 cells of which each has changed,
 /// writing to the terminal apart.
 void RegisterLiveBenchmarks();

@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   rtb::RegisterAdaptiveBenchmarks();
   rtb::RegisterRenderBenchmarks();
   rtb::RegisterRaytermBenchmarks();
+  rtb::RegisterBvhBenchmarks();
   rtb::RegisterLiveBenchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

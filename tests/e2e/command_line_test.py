@@ -77,6 +77,7 @@ class CommandLineTest(ProgramTest):
         backends = {b["name"]: b["available"] for b in json.loads(
             self.succeed("list", "backends", "--json"))}
         self.assertTrue(backends["embree"])
+        self.assertTrue(backends["bvh"])
 
     def test_every_encoder_is_described(self):
         encoders = {e["name"]: e for e in json.loads(

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/accel/embree_accel.h"
 #include "core/accel/surface.h"
 #include "core/accel/surface_uv.h"
+#include "tests/core/accel/accels.h"
 #include "tests/core/accel/random_directions.h"
 
 namespace rtb {
@@ -34,7 +34,12 @@ TriangleMesh Gem() {
   return mesh;
 }
 
+template <class Accel>
+class PlacedMeshTest : public ::testing::Test {};
+TYPED_TEST_SUITE(PlacedMeshTest, testing::Accels, testing::AccelNames);
+
 /// Uses of one mesh, the last `moving` of which move.
+template <class Accel>
 struct Traced {
   Traced(TriangleMesh mesh, const std::vector<Affined>& places,
          std::size_t moving, Rgb first_transmittance = Rgb(0))
@@ -52,17 +57,17 @@ struct Traced {
     return flat;
   }
 
-  EmbreeAccel Build(const std::vector<Affined>& places, std::size_t still,
-                    const Rgb& first) {
+  Accel Build(const std::vector<Affined>& places, std::size_t still,
+              const Rgb& first) {
     ReplaceMoving(Uses(places, still, places.size()), &geometry);
     std::vector<Rgb> transmittance(places.size(), Rgb(0));
     transmittance[0] = first;
-    return EmbreeAccel::Build(geometry, transmittance).value();
+    return Accel::Build(geometry, transmittance).value();
   }
 
   std::vector<TriangleMesh> meshes;
   Geometry geometry;
-  EmbreeAccel accel;
+  Accel accel;
 };
 
 std::vector<Affined> Places() {
@@ -102,7 +107,8 @@ struct Agreement {
   float worst_normal = 0;
 };
 
-Agreement Compare(const EmbreeAccel& a, const EmbreeAccel& b) {
+template <class Accel>
+Agreement Compare(const Accel& a, const Accel& b) {
   Agreement result;
   for (std::uint32_t i = 0; i < 20000; ++i) {
     const Ray ray = TestRay(i);
@@ -123,9 +129,9 @@ Agreement Compare(const EmbreeAccel& a, const EmbreeAccel& b) {
   return result;
 }
 
-TEST(PlacedMeshTest, EqualsItsTrianglesInTheWorld) {
-  const Traced placed(Gem(), Places(), 0);
-  const Traced flat(Flattened(Gem(), Places()), {Affined{}}, 0);
+TYPED_TEST(PlacedMeshTest, EqualsItsTrianglesInTheWorld) {
+  const Traced<TypeParam> placed(Gem(), Places(), 0);
+  const Traced<TypeParam> flat(Flattened(Gem(), Places()), {Affined{}}, 0);
   const Agreement a = Compare(placed.accel, flat.accel);
   EXPECT_GT(a.hits, 1500);
   EXPECT_LE(a.differing, 2);
@@ -133,31 +139,31 @@ TEST(PlacedMeshTest, EqualsItsTrianglesInTheWorld) {
   EXPECT_LT(a.worst_normal, 1e-5f);
 }
 
-TEST(PlacedMeshTest, MovedEqualsBuiltThere) {
+TYPED_TEST(PlacedMeshTest, MovedEqualsBuiltThere) {
   std::vector<Affined> places = Places();
-  Traced moved(Gem(), places, 1);
+  Traced<TypeParam> moved(Gem(), places, 1);
   places[1] = PositionRotateScale(V3d(0, 3, -1), V3d(5, 5, 5), V3d(1, 2, 1));
-  ReplaceMoving(Traced::Uses(places, 1, 2), &moved.geometry);
+  ReplaceMoving(Traced<TypeParam>::Uses(places, 1, 2), &moved.geometry);
   ASSERT_TRUE(moved.accel.Update(std::vector<Rgb>(2, Rgb(0))).has_value());
-  const Traced built(Gem(), places, 1);
+  const Traced<TypeParam> built(Gem(), places, 1);
   const Agreement a = Compare(moved.accel, built.accel);
   EXPECT_GT(a.hits, 1000);
   EXPECT_EQ(a.differing, 0);
   EXPECT_EQ(a.worst_point, 0);
-  const Traced before(Gem(), Places(), 1);
+  const Traced<TypeParam> before(Gem(), Places(), 1);
   EXPECT_GT(Compare(moved.accel, before.accel).differing, 100);
 }
 
 /// From any point of a placed convex mesh, a ray that leaves it outwards must
 /// not meet it again, at any scale and offset.
-TEST(PlacedMeshTest, NoSelfIntersectionAtAnyScale) {
+TYPED_TEST(PlacedMeshTest, NoSelfIntersectionAtAnyScale) {
   TriangleMesh gem = Gem();
   for (const double scale : {1e-3, 1.0, 1e3, 1e6}) {
     for (const double offset : {0.0, 1000.0}) {
       const Affined place =
           PositionRotateScale(V3d(offset, -offset / 3, 0) * scale,
                               V3d(30, 50, 70), V3d(scale, scale, 2 * scale));
-      const Traced traced(gem, {place}, 0);
+      const Traced<TypeParam> traced(gem, {place}, 0);
       int again = 0;
       for (std::uint32_t i = 0; i < 20000; ++i) {
         Hit hit{PrimitiveKind::kMesh, static_cast<int>(i % 8), 1, 0, 0, 0};
@@ -175,8 +181,8 @@ TEST(PlacedMeshTest, NoSelfIntersectionAtAnyScale) {
   }
 }
 
-TEST(PlacedMeshTest, TransparentUsesLetLightThrough) {
-  const Traced traced(
+TYPED_TEST(PlacedMeshTest, TransparentUsesLetLightThrough) {
+  const Traced<TypeParam> traced(
       Gem(),
       {Affined{}, PositionRotateScale(V3d(0, 0, -5), V3d(0), V3d(1, 1, 1))}, 1,
       Rgb(0.5f));
@@ -188,15 +194,15 @@ TEST(PlacedMeshTest, TransparentUsesLetLightThrough) {
   EXPECT_EQ(traced.accel.Transmittance(ray), Rgb(0.25f));
 }
 
-TEST(PlacedMeshTest, SmoothNormalsGoByTheInverseTranspose) {
+TYPED_TEST(PlacedMeshTest, SmoothNormalsGoByTheInverseTranspose) {
   // One triangle in z = 0 whose vertex normals all lean along (1, 0, 1):
   // under scale (2, 1, 1) the world normal is (1/2, 0, 1), normalized.
   TriangleMesh mesh;
   mesh.positions = {V3f(0, 0, 0), V3f(1, 0, 0), V3f(0, 1, 0)};
   mesh.normals.assign(3, V3f(1, 0, 1).normalized());
   mesh.triangles = {{0, 1, 2}};
-  const Traced traced(mesh, {PositionRotateScale(V3d(0), V3d(0), V3d(2, 1, 1))},
-                      0);
+  const Traced<TypeParam> traced(
+      mesh, {PositionRotateScale(V3d(0), V3d(0), V3d(2, 1, 1))}, 0);
   const Hit hit{PrimitiveKind::kMesh, 0, 1, 0.25f, 0.25f, 0};
   const SurfacePoint p = SurfaceAt(traced.accel.geometry(), Ray{}, hit);
   EXPECT_EQ(p.normal, V3f(0, 0, 1));
@@ -204,15 +210,15 @@ TEST(PlacedMeshTest, SmoothNormalsGoByTheInverseTranspose) {
   EXPECT_LT((p.position - V3f(0.5f, 0.25f, 0)).length(), 1e-6f);
 }
 
-TEST(PlacedMeshTest, TextureCoordinatesRunWithTheSurface) {
+TYPED_TEST(PlacedMeshTest, TextureCoordinatesRunWithTheSurface) {
   // u = 2x + 1, v = x + 3y on the mesh, which is then scaled by 2 in x:
   // in the world dp/du (v fixed): x' = 2x, y: solve -> (1, -1/3 * 1/2, 0).
   TriangleMesh mesh;
   mesh.positions = {V3f(0, 0, 0), V3f(1, 0, 0), V3f(0, 1, 0)};
   mesh.uvs = {V2f(1, 0), V2f(3, 1), V2f(1, 3)};
   mesh.triangles = {{0, 1, 2}};
-  const Traced traced(mesh, {PositionRotateScale(V3d(0), V3d(0), V3d(2, 1, 1))},
-                      0);
+  const Traced<TypeParam> traced(
+      mesh, {PositionRotateScale(V3d(0), V3d(0), V3d(2, 1, 1))}, 0);
   const Hit hit{PrimitiveKind::kMesh, 0, 1, 0.5f, 0.25f, 0};
   const GeometryView& g = traced.accel.geometry();
   const SurfaceUv uv = UvAt(g, hit, SurfaceAt(g, Ray{}, hit));

@@ -1,11 +1,11 @@
-#include "core/accel/embree_accel.h"
-
+// What every accelerator must answer.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/accel/surface.h"
 #include "core/math/random.h"
+#include "tests/core/accel/accels.h"
 #include "tests/core/accel/random_directions.h"
 
 namespace rtb {
@@ -20,13 +20,18 @@ FlatTriangle TriangleOf(const V3f& a, const V3f& b, const V3f& c, int object) {
   return {{a, b, c}, object};
 }
 
+template <class Accel>
+class AccelTest : public ::testing::Test {};
+TYPED_TEST_SUITE(AccelTest, testing::Accels, testing::AccelNames);
+
 /// An accelerator together with the geometry it needs.
+template <class Accel>
 struct Traced {
   Traced(const FlatScene& flat, std::vector<Rgb> transmittance)
       : geometry(MakeGeometry(flat)),
-        accel(EmbreeAccel::Build(geometry, std::move(transmittance)).value()) {}
+        accel(Accel::Build(geometry, std::move(transmittance)).value()) {}
   Geometry geometry;
-  EmbreeAccel accel;
+  Accel accel;
 };
 
 FlatScene SceneOfAll() {
@@ -44,8 +49,8 @@ FlatScene SceneOfAll() {
 
 V3f Away() { return V3f(0, 0, -1); }
 
-TEST(EmbreeAccelTest, FindsTheClosestOfEveryKind) {
-  const Traced traced(SceneOfAll(), std::vector<Rgb>(4, Rgb(0)));
+TYPED_TEST(AccelTest, FindsTheClosestOfEveryKind) {
+  const Traced<TypeParam> traced(SceneOfAll(), std::vector<Rgb>(4, Rgb(0)));
   const struct {
     float start;
     PrimitiveKind kind;
@@ -67,8 +72,8 @@ TEST(EmbreeAccelTest, FindsTheClosestOfEveryKind) {
   }
 }
 
-TEST(EmbreeAccelTest, SurfaceOfEveryKindFacesTheViewerHere) {
-  const Traced traced(SceneOfAll(), std::vector<Rgb>(4, Rgb(0)));
+TYPED_TEST(AccelTest, SurfaceOfEveryKindFacesTheViewerHere) {
+  const Traced<TypeParam> traced(SceneOfAll(), std::vector<Rgb>(4, Rgb(0)));
   const float starts[] = {0, -7, -9, -11};
   for (int object = 0; object < 4; ++object) {
     Ray ray;
@@ -82,8 +87,8 @@ TEST(EmbreeAccelTest, SurfaceOfEveryKindFacesTheViewerHere) {
   }
 }
 
-TEST(EmbreeAccelTest, OpaqueSurfacesBlockWithinTheDistanceOnly) {
-  const Traced traced(SceneOfAll(), std::vector<Rgb>(4, Rgb(0)));
+TYPED_TEST(AccelTest, OpaqueSurfacesBlockWithinTheDistanceOnly) {
+  const Traced<TypeParam> traced(SceneOfAll(), std::vector<Rgb>(4, Rgb(0)));
   Ray ray;
   ray.direction = Away();
   ray.t_max = 3.9f;
@@ -92,11 +97,11 @@ TEST(EmbreeAccelTest, OpaqueSurfacesBlockWithinTheDistanceOnly) {
   EXPECT_EQ(traced.accel.Transmittance(ray), Rgb(0));
 }
 
-TEST(EmbreeAccelTest, TintMultipliesAtEachCrossing) {
+TYPED_TEST(AccelTest, TintMultipliesAtEachCrossing) {
   // Two crossings of the sphere (1/2 each), one of the disk (1/4), one of the
   // triangle (1/8); the plane lies beyond.
-  const Traced traced(SceneOfAll(),
-                      {Rgb(0.5f), Rgb(0.25f), Rgb(0.125f), Rgb(0)});
+  const Traced<TypeParam> traced(SceneOfAll(),
+                                 {Rgb(0.5f), Rgb(0.25f), Rgb(0.125f), Rgb(0)});
   Ray ray;
   ray.direction = Away();
   ray.t_max = 11;
@@ -107,8 +112,8 @@ TEST(EmbreeAccelTest, TintMultipliesAtEachCrossing) {
   EXPECT_EQ(traced.accel.Transmittance(ray), Rgb(0));
 }
 
-TEST(EmbreeAccelTest, EmptySceneIsNothing) {
-  const Traced traced(FlatScene{}, {});
+TYPED_TEST(AccelTest, EmptySceneIsNothing) {
+  const Traced<TypeParam> traced(FlatScene{}, {});
   EXPECT_EQ(traced.accel.Closest(Ray{}).kind, PrimitiveKind::kNothing);
   EXPECT_EQ(traced.accel.Transmittance(Ray{}), Rgb(1));
 }
@@ -117,13 +122,13 @@ V3f RandomDirection(std::uint32_t i) { return testing::RandomDirection(i, 3); }
 
 /// Rays that leave a convex body outwards must never meet it again, at any
 /// scale and offset: a self-intersection would.
-TEST(EmbreeAccelTest, NoSelfIntersectionAtAnyScale) {
+TYPED_TEST(AccelTest, NoSelfIntersectionAtAnyScale) {
   for (const double scale : {1e-3, 1.0, 1e3, 1e6}) {
     for (const double offset : {0.0, 1000.0}) {
       FlatScene flat;
       flat.objects.resize(1);
       flat.spheres = {SphereAt(V3d(offset * scale, 0, 0), scale, 0)};
-      const Traced traced(flat, {Rgb(0)});
+      const Traced<TypeParam> traced(flat, {Rgb(0)});
       int again = 0, hits = 0;
       for (std::uint32_t i = 0; i < 20000; ++i) {
         const V3f outward = RandomDirection(i);
@@ -162,8 +167,9 @@ FlatScene Parallelogram(const V3d& corner, const V3d& e0, const V3d& e1) {
 }
 
 /// How many of the rays that leave a parallelogram meet it again.
+template <class Accel>
 int Reintersections(const FlatScene& flat) {
-  const Traced traced(flat, {Rgb(0)});
+  const Traced<Accel> traced(flat, {Rgb(0)});
   int again = 0;
   for (std::uint32_t i = 0; i < 20000; ++i) {
     float u = UnitFloat(RandomBits(i, 1, 0, 3));
@@ -187,31 +193,31 @@ int Reintersections(const FlatScene& flat) {
   return again;
 }
 
-TEST(EmbreeAccelTest, TrianglesDoNotShadowThemselves) {
+TYPED_TEST(AccelTest, TrianglesDoNotShadowThemselves) {
   const V3d corner(3, 1, -2), e0(-5, -0.5, 6), e1(-2, -4, 2.25);
   for (const double scale : {1e-3, 1.0, 1e3, 1e6}) {
-    EXPECT_EQ(
-        Reintersections(Parallelogram(corner * scale, e0 * scale, e1 * scale)),
-        0)
+    EXPECT_EQ(Reintersections<TypeParam>(
+                  Parallelogram(corner * scale, e0 * scale, e1 * scale)),
+              0)
         << scale;
   }
 }
 
-TEST(EmbreeAccelTest, FarLargeAndNarrowTrianglesDoNotShadowThemselves) {
+TYPED_TEST(AccelTest, FarLargeAndNarrowTrianglesDoNotShadowThemselves) {
   const V3d e0(-5, -0.5, 6), e1(-2, -4, 2.25);
   for (const V3d& corner : {V3d(1000, 0, 0), V3d(-300, 1000, 500)}) {
-    EXPECT_EQ(Reintersections(Parallelogram(corner, e0, e1)), 0);
+    EXPECT_EQ(Reintersections<TypeParam>(Parallelogram(corner, e0, e1)), 0);
   }
-  EXPECT_EQ(
-      Reintersections(Parallelogram(V3d(-4e4, -3e4, -5e4), e0 * 2e4, e1 * 2e4)),
-      0);
-  EXPECT_EQ(Reintersections(
+  EXPECT_EQ(Reintersections<TypeParam>(
+                Parallelogram(V3d(-4e4, -3e4, -5e4), e0 * 2e4, e1 * 2e4)),
+            0);
+  EXPECT_EQ(Reintersections<TypeParam>(
                 Parallelogram(V3d(1, 2, 3), e0 * 100, e0.cross(e1) * 1e-3)),
             0);
 }
 
 /// A closed mesh: rays from inside, aimed at its edges, must not escape.
-TEST(EmbreeAccelTest, EdgesAreWatertight) {
+TYPED_TEST(AccelTest, EdgesAreWatertight) {
   FlatScene flat;
   flat.objects.resize(1);
   // An octahedron with uneven vertices.
@@ -225,7 +231,7 @@ TEST(EmbreeAccelTest, EdgesAreWatertight) {
           TriangleOf(v[ring[k]], v[ring[(k + 1) % 4]], v[z], 0));
     }
   }
-  const Traced traced(flat, {Rgb(0)});
+  const Traced<TypeParam> traced(flat, {Rgb(0)});
   int leaks = 0;
   for (std::uint32_t i = 0; i < 200000; ++i) {
     const FlatTriangle& t = flat.triangles[i % flat.triangles.size()];
