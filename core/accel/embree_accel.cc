@@ -225,4 +225,6 @@ Rgb EmbreeAccel::SteppedTransmittance(Ray ray) const {
 
 const GeometryView& EmbreeAccel::geometry() const { return impl_->view; }
 
+const Geometry& EmbreeAccel::whole_geometry() const { return *impl_->geometry; }
+
 }  // namespace rtb
