@@ -39,19 +39,24 @@ struct Samples {
   M delta;
 };
 
+/// The lanes whose primitives have a model; none without looking where no
+/// primitive has it.
+HWY_INLINE M LanesOf(const WideScene& scene, M lanes, I primitive,
+                     WideScene::Model model) {
+  if (!scene.has[model]) return None();
+  return hn::And(
+      lanes, LookUp(scene.model, primitive) == Set(static_cast<float>(model)));
+}
+
 /// The materials at surface points, and the view of them.
 class Bsdfs {
  public:
   /// @param lanes that count. @param wo towards the viewer, local.
   Bsdfs(const WideScene& scene, M lanes, I primitive, const V3& wo)
-      : scene_(scene), lanes_(lanes), primitive_(primitive), wo_(wo) {
-    model_ = LookUp(scene.model, primitive);
-  }
+      : scene_(scene), lanes_(lanes), primitive_(primitive), wo_(wo) {}
 
-  /// The lanes of a model; none without looking where no primitive has it.
   HWY_INLINE M Of(WideScene::Model model) const {
-    if (!scene_.has[model]) return None();
-    return hn::And(lanes_, model_ == Set(static_cast<float>(model)));
+    return LanesOf(scene_, lanes_, primitive_, model);
   }
 
   /// Light is spread over directions (HasNonDelta).
@@ -69,7 +74,7 @@ class Bsdfs {
     if (Any(matte)) {
       result.value =
           Select(matte, LookUp(scene_.diffuse, primitive_), result.value);
-      result.pdf = hn::IfThenElseZero(matte, wi.z / Set(kPi));
+      result.pdf = hn::IfThenElseZero(matte, wi.z / Divisor(kPi));
     }
     if (Any(rough)) {
       const Lobe lobe(scene_, rough, primitive_, wo_);
@@ -162,7 +167,6 @@ class Bsdfs {
   M lanes_;
   I primitive_;
   V3 wo_;
-  F model_;
 };
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

@@ -98,8 +98,9 @@ class Lobe {
 
  private:
   HWY_INLINE F Distribution(const V3& h) const {
-    const F x = h.x / alpha_;
-    const F y = h.y / alpha_;
+    const Divisor alpha(alpha_);
+    const F x = h.x / alpha;
+    const F y = h.y / alpha;
     const F t = x * x + y * y + h.z * h.z;
     return Set(1) / (Set(kPi) * (alpha_ * t) * (alpha_ * t));
   }

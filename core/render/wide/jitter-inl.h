@@ -44,14 +44,14 @@ class Jitter {
   HWY_INLINE Position At(U index) const {
     const F one_below = Set(0x1.fffffep-1f);
     const U s = Permuted(index, count_, 0);
-    const F m = Set(static_cast<float>(m_)), n = Set(static_cast<float>(n_));
+    const Divisor m(static_cast<float>(m_)), n(static_cast<float>(n_));
     const U row = Integer(Float(s) / m);
     const F sx = Float(Permuted(s - row * SetU(m_), m_, 1));
     const F sy = Float(Permuted(row, n_, 2));
     const F jx = UnitFloat(Hash(s, SetU(pattern_), SetU(3)));
     const F jy = UnitFloat(Hash(s, SetU(pattern_), SetU(4)));
     const F x = (sx + (sy + jx) / n) / m;
-    const F y = (Float(s) + jy) / Set(static_cast<float>(count_));
+    const F y = (Float(s) + jy) / Divisor(static_cast<float>(count_));
     return {hn::Min(x, one_below), hn::Min(y, one_below)};
   }
 

@@ -46,6 +46,17 @@ HWY_INLINE Crossing CrossPlane(const WideScene& scene, int i, const V3& origin,
   return {hn::And(slope != zero, t > zero), t};
 }
 
+/// Whether some ray may meet the unit sphere, with room for rounding: it comes
+/// nearer than 1, and does not lead away from outside. This costs no division.
+/// @param a,b,f2 d . d, -f . d and f . f of rays f + t d.
+HWY_INLINE bool MayMeet(F a, F b, F f2) {
+  const F room = Set(0x1p-18f);
+  const F excess = f2 * a - b * b - a;
+  const M near = excess <= f2 * a * room;
+  const M ahead = hn::Or(b > hn::Zero(DF()), f2 <= Set(1) + room);
+  return Any(hn::And(near, ahead));
+}
+
 HWY_INLINE Crossing CrossSphere(const WideScene& scene, int i, const V3& origin,
                                 const V3& direction) {
   const F zero = hn::Zero(DF());
@@ -54,14 +65,17 @@ HWY_INLINE Crossing CrossSphere(const WideScene& scene, int i, const V3& origin,
   const V3 d = Apply(to_unit, direction);
   const F a = Dot(d, d);
   const F b = hn::Neg(Dot(f, d));
-  const V3 nearest = f + d * (b / a);
+  const F f2 = Dot(f, f);
+  if (!MayMeet(a, b, f2)) return {None(), zero};
+  const Divisor by_a(a);
+  const V3 nearest = f + d * (b / by_a);
   const F discriminant = a * (Set(1) - Dot(nearest, nearest));
   const M met = discriminant >= zero;
   if (!Any(met)) return {met, zero};
   const F root = hn::Sqrt(discriminant);
   const F q = b + hn::CopySign(root, b);
-  const F t0 = (Dot(f, f) - Set(1)) / q;
-  const F t1 = q / a;
+  const F t0 = (f2 - Set(1)) / q;
+  const F t1 = q / by_a;
   const M ordered = t0 < t1;
   const F first = Select(ordered, t0, t1);
   const F t = Select(first > zero, first, Select(ordered, t1, t0));
@@ -141,7 +155,7 @@ struct Points {
 
 HWY_INLINE V3 NormalToWorld(const Linear& to_unit, const V3& n) {
   const V3 world = Transposed(to_unit, n);
-  return Normalized(world / MaxAbs(world));
+  return Normalized(world / Divisor(MaxAbs(world)));
 }
 
 HWY_INLINE Linear LookUp(const float (&table)[3][3][16], I index) {

@@ -13,9 +13,11 @@
 #include <hwy/highway.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/math/sobol.h"
 #include "core/render/wide/lanes-inl.h"
+#include "core/render/wide/sobol_tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtb {
@@ -44,24 +46,48 @@ HWY_INLINE U4 Pcg4d(U4 v) {
   return v;
 }
 
+/// The same of a value in each lane and three that all have in common, only x.
+HWY_INLINE U Pcg4dOf(U x, std::uint32_t y, std::uint32_t z, std::uint32_t w) {
+  const auto step = [](std::uint32_t v) { return v * 1664525u + 1013904223u; };
+  y = step(y);
+  z = step(z);
+  w = step(w);
+  U vx = x * SetU(1664525u) + SetU(1013904223u + y * w);
+  U vy = SetU(y) + SetU(z) * vx;
+  const U vz = SetU(z) + vx * vy;
+  U vw = SetU(w) + vy * vz;
+  vx = vx ^ hn::ShiftRight<16>(vx);
+  vy = vy ^ hn::ShiftRight<16>(vy);
+  vw = vw ^ hn::ShiftRight<16>(vw);
+  return vx + vy * vw;
+}
+
 /// UnitFloat of random.h.
 HWY_INLINE F UnitFloat(U bits) {
   return hn::ConvertTo(DF(), hn::BitCast(DI(), hn::ShiftRight<8>(bits))) *
          Set(0x1p-24f);
 }
 
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE U ReverseBits(U v) { return SetU(rtb::ReverseBits(v.raw)); }
+#else
 HWY_INLINE U ReverseBits(U v) {
-  v = hn::Or(hn::ShiftLeft<16>(v), hn::ShiftRight<16>(v));
-  const auto swap = [](U bits, auto shift, std::uint32_t mask) {
-    constexpr int kShift = decltype(shift)::value;
-    return hn::Or(hn::ShiftLeft<kShift>(hn::And(bits, SetU(mask))),
-                  hn::And(hn::ShiftRight<kShift>(bits), SetU(mask)));
-  };
-  v = swap(v, std::integral_constant<int, 8>(), 0x00FF00FFu);
-  v = swap(v, std::integral_constant<int, 4>(), 0x0F0F0F0Fu);
-  v = swap(v, std::integral_constant<int, 2>(), 0x33333333u);
-  return swap(v, std::integral_constant<int, 1>(), 0x55555555u);
+  alignas(16) static constexpr std::uint8_t kReversed[16] = {
+      0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+  alignas(16) static constexpr std::uint8_t kBytes[16] = {
+      3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12};
+  const hn::Repartition<std::uint8_t, DU> bytes;
+  const auto reversed = hn::LoadDup128(bytes, kReversed);
+  const U nibble = SetU(0x0F0F0F0Fu);
+  const auto low = hn::BitCast(bytes, hn::And(v, nibble));
+  const auto high = hn::BitCast(bytes, hn::And(hn::ShiftRight<4>(v), nibble));
+  const U upper = hn::BitCast(DU(), hn::TableLookupBytes(reversed, low));
+  const auto lower = hn::TableLookupBytes(reversed, high);
+  const auto all = hn::Or(hn::BitCast(bytes, hn::ShiftLeft<4>(upper)), lower);
+  return hn::BitCast(DU(),
+                     hn::TableLookupBytes(all, hn::LoadDup128(bytes, kBytes)));
 }
+#endif
 
 HWY_INLINE U ScrambleReversed(U v, U seed) {
   v = v ^ (v * SetU(0x3D20ADEAu));
@@ -91,22 +117,29 @@ class SobolPoint {
   static HWY_INLINE U SeedOf(U pattern, std::uint32_t set, std::uint64_t seed) {
     constexpr std::uint32_t kPurpose = 0x50B01u;
     const auto high = static_cast<std::uint32_t>(seed >> 32);
-    return Pcg4d({pattern, SetU(kPurpose), SetU(set ^ (high * 0x9E3779B9u)),
-                  SetU(static_cast<std::uint32_t>(seed))})
-        .x;
+    return Pcg4dOf(pattern, kPurpose, set ^ (high * 0x9E3779B9u),
+                   static_cast<std::uint32_t>(seed));
   }
 
-  /// SobolReversed: the sum of the direction numbers of the index' bits.
+  /// SobolReversed, by as many bits of the index at a time as a table of one
+  /// entry a lane has room for.
   template <int kRow>
   HWY_INLINE U Reversed() const {
-    static constexpr SobolDirections kDirections = MakeSobolDirections();
+#if HWY_TARGET == HWY_SCALAR
+    return SetU(SobolReversed(index_.raw, kRow + 1));
+#else
+    static constexpr SobolTables<hn::MaxLanes(DU())> kTables =
+        MakeSobolTables<hn::MaxLanes(DU())>(kRow);
     U sum = hn::Zero(DU());
-    for (int bit = 0; bit < 32; ++bit) {
-      const auto set = hn::TestBit(index_, SetU(1u << bit));
-      sum =
-          hn::IfThenElse(set, sum ^ SetU(kDirections.reversed[kRow][bit]), sum);
+    U left = index_;
+    for (const auto& entries : kTables.sums) {
+      const U digit = hn::And(left, SetU(hn::MaxLanes(DU()) - 1));
+      sum = sum ^ hn::TableLookupLanes(hn::Load(DU(), entries),
+                                       hn::IndicesFromVec(DU(), digit));
+      left = hn::ShiftRight<kTables.kBits>(left);
     }
     return sum;
+#endif
   }
 
   static HWY_INLINE F Scrambled(U reversed, U seed) {

@@ -50,7 +50,7 @@ class Sky {
     const float mean = (bottom_ + top_) / 2;
     if (!(mean > 0)) return Set(kUniform);
     const F here = Set(bottom_) + Set(top_ - bottom_) * HeightOf(y);
-    return Set(kUniform) * here / Set(mean);
+    return Set(kUniform) * here / Divisor(mean);
   }
 
   /// SampleGradient.

@@ -85,8 +85,9 @@ class Bounce {
         SurfaceOf(scene_, hits, path->origin, path->direction);
     const M outside = Dot(path->direction, points.normal) < hn::Zero(DF());
     const V3 geometric = Select(outside, points.normal, -points.normal);
-    const Bsdfs any(scene_, met, hits.primitive, geometric);
-    const V3 axis = Select(any.Of(WideScene::kGlass), points.normal, geometric);
+    // A BSDF's frame is on the viewer's side, but outward for glass.
+    const M glass = LanesOf(scene_, met, hits.primitive, WideScene::kGlass);
+    const V3 axis = Select(glass, points.normal, geometric);
     const Frame frame = FrameOf(axis);
     const Bsdfs bsdfs(scene_, met, hits.primitive,
                       ToLocal(frame, -path->direction));
@@ -131,7 +132,7 @@ class Bounce {
     const SobolPoint u = Uniforms(*path, kLight);
     const SkySamples sky = sky_.Draw(u.x(), u.y());
     const F pdf = sky.pdf * Set(scene_.sky_chance);
-    const V3 irradiance = sky.radiance / pdf;
+    const V3 irradiance = sky.radiance / Divisor(pdf);
     const V3 wi = ToLocal(frame, sky.direction);
     const Densities f = bsdfs.Evaluate(wi);
     const V3 value = f.value * wi.z;
@@ -172,7 +173,7 @@ class Bounce {
 
   static HWY_INLINE M Survivors(M lanes, F u, State* path) {
     const F survival = hn::Min(Set(0.95f), Largest(path->throughput));
-    path->throughput = path->throughput / survival;
+    path->throughput = path->throughput / Divisor(survival);
     return hn::And(lanes, u < survival);
   }
 
