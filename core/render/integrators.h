@@ -35,9 +35,10 @@ Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
   if (options.integrator == "path") {
     // Vectors are for speed: a tracer that is to be compared has them not.
     if constexpr (requires { tracer.whole_geometry(); }) {
-      const auto wide = options.vectors
-                            ? MakeWideScene(tracer.whole_geometry(), shading)
-                            : std::nullopt;
+      const bool wanted =
+          options.vectors && options.spp <= WideRenderer::kMostRays;
+      const auto wide = wanted ? MakeWideScene(tracer.whole_geometry(), shading)
+                               : std::nullopt;
       if (wide) {
         return WideRenderer(*wide, camera, plan, options, max_depth)
             .Render(counts);

@@ -106,7 +106,7 @@ class Bsdfs {
   HWY_INLINE void DrawSpread(const SobolPoint& u, M spread,
                              Samples* samples) const {
     const F ux = u.x(), uy = u.y();
-    const M rough = Of(WideScene::kRough);
+    const M rough = hn::And(Of(WideScene::kRough), spread);
     samples->wi = Select(spread, Cosine(ux, uy), samples->wi);
     if (Any(rough)) {
       const Lobe lobe(scene_, rough, primitive_, wo_);

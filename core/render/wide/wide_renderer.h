@@ -14,6 +14,9 @@ namespace rtb {
 /// Renders the samples of one plan, as PlanRenderer does with PathTracer.
 class WideRenderer {
  public:
+  /// Rays per sample at most (jitter-inl.h).
+  static constexpr int kMostRays = 1 << 20;
+
   /// All references must outlive the renderer.
   WideRenderer(const WideScene& scene, const CameraFrame& camera,
                const SamplePlan& plan, const RenderOptions& options,
