@@ -40,7 +40,9 @@ Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
       const auto wide = wanted ? MakeWideScene(tracer.whole_geometry(), shading)
                                : std::nullopt;
       if (wide) {
-        return WideRenderer(*wide, camera, plan, options, max_depth)
+        const CameraFrame seen =
+            options.camera.value_or(CameraAt(scene, options.time));
+        return WideRenderer(*wide, seen, plan, options, max_depth)
             .Render(counts);
       }
     }
