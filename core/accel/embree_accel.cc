@@ -1,5 +1,6 @@
 #include "core/accel/embree_accel.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,49 @@ Hit ToHit(const EmbreePart& part, const RTCRayHit& query) {
     default:
       return make(PrimitiveKind::kDisk, part.begin.disks);
   }
+}
+
+/// Keeps the closest hit with one kind's quadrics [begin, end).
+template <class Intersect>
+void ClosestOf(const std::vector<Quadric>& quadrics, std::size_t begin,
+               std::size_t end, PrimitiveKind kind, const Intersect& intersect,
+               const Ray& ray, Hit* hit) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const Roots roots = intersect(quadrics[i], ray.origin, ray.direction);
+    const float far = std::min(ray.t_max, hit->t);
+    const float t = FirstBetween(roots, 0, far);
+    if (t < far) *hit = {kind, static_cast<int>(i), t, 0, 0, -1};
+  }
+}
+
+void ClosestOfFew(const EmbreePart& part, const Ray& ray, Hit* hit) {
+  const Geometry& g = *part.impl->geometry;
+  ClosestOf(g.spheres, part.begin.spheres, part.end.spheres,
+            PrimitiveKind::kSphere, IntersectSphere, ray, hit);
+  ClosestOf(g.disks, part.begin.disks, part.end.disks, PrimitiveKind::kDisk,
+            IntersectDisk, ray, hit);
+}
+
+/// Whether one kind's quadrics [begin, end) let nothing through.
+template <class Intersect>
+bool BlockedBy(const std::vector<Quadric>& quadrics, std::size_t begin,
+               std::size_t end, const Intersect& intersect,
+               const EmbreeAccel::Impl& impl, const Ray& ray,
+               EmbreeQuery* query) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const Roots roots = intersect(quadrics[i], ray.origin, ray.direction);
+    const bool crossed = FirstBetween(roots, 0, ray.t_max) < ray.t_max;
+    if (crossed && !impl.Cross(quadrics[i].object, query)) return true;
+  }
+  return false;
+}
+
+bool BlockedByFew(const EmbreePart& part, const Ray& ray, EmbreeQuery* query) {
+  const Geometry& g = *part.impl->geometry;
+  return BlockedBy(g.spheres, part.begin.spheres, part.end.spheres,
+                   IntersectSphere, *part.impl, ray, query) ||
+         BlockedBy(g.disks, part.begin.disks, part.end.disks, IntersectDisk,
+                   *part.impl, ray, query);
 }
 
 Error EmbreeError(RTCError error) {
@@ -113,7 +157,10 @@ Hit EmbreeAccel::Closest(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   for (const EmbreePart* part : {&impl_->still, &impl_->moving}) {
-    if (part->empty()) continue;
+    if (part->few) {
+      ClosestOfFew(*part, ray, &hit);
+      continue;
+    }
     RTCRayHit query{};
     query.ray = ToRtc(ray);
     if (hit.kind != PrimitiveKind::kNothing) query.ray.tfar = hit.t;
@@ -130,7 +177,10 @@ bool EmbreeAccel::Blocked(const Ray& ray, EmbreeQuery* query) const {
   if (BlockedByPlanes(impl_->view, ray, cross)) return true;
   rtcInitIntersectContext(&query->context);
   for (const EmbreePart* part : {&impl_->still, &impl_->moving}) {
-    if (part->empty()) continue;
+    if (part->few) {
+      if (BlockedByFew(*part, ray, query)) return true;
+      continue;
+    }
     query->part = part;
     RTCRay shadow = ToRtc(ray);
     rtcOccluded1(part->scene.get(), &query->context, &shadow);
@@ -153,5 +203,7 @@ Rgb EmbreeAccel::Transmittance(const Ray& ray) const {
 }
 
 const GeometryView& EmbreeAccel::geometry() const { return impl_->view; }
+
+const Geometry& EmbreeAccel::whole_geometry() const { return *impl_->geometry; }
 
 }  // namespace rtb

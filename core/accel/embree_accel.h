@@ -54,6 +54,9 @@ class EmbreeAccel {
   /// The geometry it was built from.
   const GeometryView& geometry() const;
 
+  /// The same with the sizes of its lists.
+  const Geometry& whole_geometry() const;
+
   /// What is behind the pointer; known to embree_accel.cc and callbacks.
   struct Impl;
 

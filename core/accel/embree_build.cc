@@ -170,9 +170,15 @@ void MoveInPlace(EmbreePart* part) {
   }
 }
 
-bool Nothing(const GeometryCounts& begin, const GeometryCounts& end) {
-  return begin.triangles == end.triangles && begin.spheres == end.spheres &&
-         begin.disks == end.disks && begin.uses == end.uses;
+/// Where testing all primitives beats a tree of user geometry: each of its
+/// leaves is a call through a pointer.
+constexpr std::size_t kFewQuadrics = 8;
+
+bool AreFewQuadrics(const GeometryCounts& begin, const GeometryCounts& end) {
+  const std::size_t quadrics =
+      end.spheres - begin.spheres + end.disks - begin.disks;
+  return begin.triangles == end.triangles && begin.uses == end.uses &&
+         quadrics <= kFewQuadrics;
 }
 
 }  // namespace
@@ -195,11 +201,14 @@ bool BuildPart(EmbreePart* part, const GeometryCounts& begin,
   const bool same = !part->empty() && part->begin == begin && part->end == end;
   part->begin = begin;
   part->end = end;
+  part->few = AreFewQuadrics(begin, end);
+  if (part->few) {
+    part->scene = {};
+    return true;
+  }
   if (same) {
     MoveInPlace(part);
   } else {
-    part->scene = {};
-    if (Nothing(begin, end)) return true;
     part->scene = NewScene(part->impl->device);
     if (part->empty() || !AttachTriangles(part) || !AttachQuadrics(part) ||
         !AttachUses(part)) {

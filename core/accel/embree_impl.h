@@ -47,6 +47,8 @@ struct EmbreePart {
   EmbreeScene scene;
   GeometryCounts begin;
   GeometryCounts end;
+  /// It is so few quadrics that rays test them all; it has no scene.
+  bool few = false;
 
   bool empty() const { return scene.get() == nullptr; }
 };

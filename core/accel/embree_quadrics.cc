@@ -66,15 +66,13 @@ void QuadricIntersect(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[i] == 0) continue;
     const Roots roots =
         Kind::Intersect(quadric, Origin(ray, n, i), Direction(ray, n, i));
-    for (int k = 0; k < roots.count; ++k) {
-      if (!(roots.t[k] > RTCRayN_tnear(ray, n, i))) continue;
-      if (!(roots.t[k] < RTCRayN_tfar(ray, n, i))) break;
-      RTCRayN_tfar(ray, n, i) = roots.t[k];
-      RTCHitN_geomID(hit, n, i) = Kind::kId;
-      RTCHitN_primID(hit, n, i) = args->primID;
-      RTCHitN_instID(hit, n, i, 0) = RTC_INVALID_GEOMETRY_ID;
-      break;
-    }
+    const float far = RTCRayN_tfar(ray, n, i);
+    const float t = FirstBetween(roots, RTCRayN_tnear(ray, n, i), far);
+    if (!(t < far)) continue;
+    RTCRayN_tfar(ray, n, i) = t;
+    RTCHitN_geomID(hit, n, i) = Kind::kId;
+    RTCHitN_primID(hit, n, i) = args->primID;
+    RTCHitN_instID(hit, n, i, 0) = RTC_INVALID_GEOMETRY_ID;
   }
 }
 
@@ -88,14 +86,10 @@ void QuadricOccluded(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[i] == 0) continue;
     const Roots roots = Kind::Intersect(quadric, Origin(args->ray, n, i),
                                         Direction(args->ray, n, i));
-    for (int k = 0; k < roots.count; ++k) {
-      const float t = roots.t[k];
-      if (!(t > RTCRayN_tnear(args->ray, n, i))) continue;
-      if (!(t < RTCRayN_tfar(args->ray, n, i))) break;
-      if (part->impl->Cross(quadric.object, query)) continue;
-      RTCRayN_tfar(args->ray, n, i) = -INFINITY;
-      break;
-    }
+    const float far = RTCRayN_tfar(args->ray, n, i);
+    const float t = FirstBetween(roots, RTCRayN_tnear(args->ray, n, i), far);
+    if (!(t < far) || part->impl->Cross(quadric.object, query)) continue;
+    RTCRayN_tfar(args->ray, n, i) = -INFINITY;
   }
 }
 

@@ -16,6 +16,14 @@ struct Roots {
   float t[2] = {0, 0};
 };
 
+/// The smallest of them between two bounds; `far` where there is none.
+RTB_HD inline float FirstBetween(const Roots& roots, float near, float far) {
+  for (int k = 0; k < roots.count; ++k) {
+    if (roots.t[k] > near) return roots.t[k] < far ? roots.t[k] : far;
+  }
+  return far;
+}
+
 /// Where the line origin + t direction meets a sphere, at any t. After Haines
 /// et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
 /// Gems, 2019, chapter 7: the discriminant from the distance of the center to

@@ -30,6 +30,9 @@ struct RenderOptions {
   /// followed; 0: all are. A bound in the sense of Hall and Greenberg, "A
   /// Testbed for Realistic Image Synthesis", IEEE CG&A 3(8), 1983.
   float least_weight = 0;
+  /// `path` follows many paths at once where it can (wide/wide_scene.h says
+  /// which scenes); the radiances are the same, and RayCounts tells.
+  bool vectors = true;
   /// A camera in place of the scene's at that time.
   std::optional<CameraFrame> camera;
 };

@@ -3,11 +3,14 @@
 /// name, for every backend.
 #pragma once
 
+#include <optional>
+
 #include "core/base/check.h"
 #include "core/base/result.h"
 #include "core/render/path.h"
 #include "core/render/plan_renderer.h"
 #include "core/render/whitted.h"
+#include "core/render/wide/wide_renderer.h"
 
 namespace rtb {
 
@@ -30,6 +33,19 @@ Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
       options.camera ? *options.camera : CameraAt(scene, options.time);
   const PlanRenderer renderer(camera, plan, options);
   if (options.integrator == "path") {
+    // Vectors are for speed: a tracer that is to be compared has them not.
+    if constexpr (requires { tracer.whole_geometry(); }) {
+      const bool wanted =
+          options.vectors && options.spp <= WideRenderer::kMostRays;
+      const auto wide = wanted ? MakeWideScene(tracer.whole_geometry(), shading)
+                               : std::nullopt;
+      if (wide) {
+        const CameraFrame seen =
+            options.camera.value_or(CameraAt(scene, options.time));
+        return WideRenderer(*wide, seen, plan, options, max_depth)
+            .Render(counts);
+      }
+    }
     return renderer.Render(
         [&] { return PathTracer<Tracer>(tracer, shading, max_depth); }, counts);
   }

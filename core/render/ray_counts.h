@@ -15,6 +15,8 @@ struct RayCounts {
   std::uint64_t refraction = 0;
   std::uint64_t scattered = 0;  ///< In a direction drawn from a BSDF (path).
   std::uint64_t shadow = 0;
+  /// Camera rays whose paths were followed on vectors (wide/trace_paths.h).
+  std::uint64_t on_vectors = 0;
 
   RTB_HD std::uint64_t secondary() const {
     return reflection + refraction + scattered;
@@ -27,6 +29,7 @@ struct RayCounts {
     refraction += other.refraction;
     scattered += other.scattered;
     shadow += other.shadow;
+    on_vectors += other.on_vectors;
     return *this;
   }
   bool operator==(const RayCounts&) const = default;

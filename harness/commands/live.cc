@@ -15,7 +15,7 @@ struct LiveOptions {
   LiveRequest request;
   std::string color = "auto";
   std::string present = "auto";
-  std::string motion = "orbit";
+  std::string motion = "sway";
   std::string json;
   bool headless = false;
   bool no_sync = false;
@@ -36,7 +36,8 @@ LiveRequest RequestOf(const LiveOptions& options) {
     if (options.color == NameOf(depth)) request.depth = depth;
   }
   for (const HeadlessMotion motion :
-       {HeadlessMotion::kPath, HeadlessMotion::kStill}) {
+       {HeadlessMotion::kOrbit, HeadlessMotion::kPath,
+        HeadlessMotion::kStill}) {
     if (options.motion == NameOf(motion)) request.motion = motion;
   }
   if (options.present == "direct") request.present = PresentMode::kDirect;
@@ -90,8 +91,8 @@ void AddHeadlessOptions(CLI::App& app, LiveOptions& options) {
              options.request.frames, 1, 1000000);
   AddInteger(app, {"--warmup", "N", "20", "Pictures before those"},
              options.request.warmup, 0, 1000000);
-  AddWord(app, {"--motion", "orbit|path|still", "orbit", "What moves"},
-          options.motion, {"orbit", "path", "still"});
+  AddWord(app, {"--motion", "sway|orbit|path|still", "sway", "What moves"},
+          options.motion, {"sway", "orbit", "path", "still"});
   AddGrid(app, options.request.grid, "120x40");
   app.add_flag("--panel", options.request.panel, "With the info panel");
   AddJson(app, options.json);

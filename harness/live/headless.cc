@@ -32,7 +32,11 @@ LoopOptions OptionsOf(const LiveRequest& request, ColorDepth depth) {
 }
 
 void Steer(HeadlessMotion motion, LiveState* state) {
-  state->modes().orbit = motion == HeadlessMotion::kOrbit;
+  constexpr double kSwayReach = 0.2;  // Radians.
+  LiveModes& modes = state->modes();
+  modes.orbit =
+      motion == HeadlessMotion::kSway || motion == HeadlessMotion::kOrbit;
+  if (motion == HeadlessMotion::kSway) modes.orbit_reach = kSwayReach;
   state->modes().playing = motion != HeadlessMotion::kStill;
 }
 
@@ -73,9 +77,11 @@ const char* NameOf(HeadlessMotion motion) {
     case HeadlessMotion::kStill:
       return "still";
     case HeadlessMotion::kOrbit:
+      return "orbit";
+    case HeadlessMotion::kSway:
       break;
   }
-  return "orbit";
+  return "sway";
 }
 
 Result<LiveFigures> RunHeadless(const LiveRequest& given) {

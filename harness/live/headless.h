@@ -46,7 +46,7 @@ Result<LiveFigures> RunHeadless(const LiveRequest& request);
 /// `{"schema": 1, "fps", "frame_ms": {"p50", "p95", "p99"}, ...}`.
 Json FiguresToJson(const LiveFigures& figures);
 
-/// `orbit`, `path` or `still`.
+/// `sway`, `orbit`, `path` or `still`.
 const char* NameOf(HeadlessMotion motion);
 
 }  // namespace rtb

@@ -20,7 +20,9 @@ enum class PresentMode {
 
 /// How the picture moves when nobody steers it.
 enum class HeadlessMotion {
-  kOrbit,  ///< The camera goes around what it looks at.
+  kSway,   ///< The camera swings to and fro around what it looks at: every
+           ///< picture shows about the same.
+  kOrbit,  ///< It goes all around that, through walls if need be.
   kPath,   ///< The scene's own movement.
   kStill,  ///< Nothing moves.
 };
@@ -44,7 +46,7 @@ struct LiveRequest {
   GridSize grid{120, 40};
   int frames = 300;
   int warmup = 20;  ///< Pictures before those that are measured.
-  HeadlessMotion motion = HeadlessMotion::kOrbit;
+  HeadlessMotion motion = HeadlessMotion::kSway;
   bool panel = false;
   /// @}
 };

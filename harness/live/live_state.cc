@@ -173,6 +173,7 @@ void LiveState::Reset() {
   view_.exposure.reset();
   view_.time = 0;
   modes_.orbit = false;
+  orbit_angle_ = 0;
   divider_ = 0.5;
   held_.Clear();
   Arrange();
@@ -247,19 +248,26 @@ void LiveState::Step(double now, double seconds) {
   if (modes_.playing && animated()) {
     view_.time = std::min(view_.time + seconds, kLatest);
   }
-  if (modes_.orbit && scene_) {
-    const double ahead =
-        (scene_->camera.look_at - scene_->camera.position).length();
-    const double distance = scene_->camera.has_look_at ? ahead : 3 * speed_;
-    if (FreeCamera* camera = Camera()) {
-      camera->Orbit(kOrbitSpeed * seconds, distance);
-    }
-  }
+  if (modes_.orbit && scene_) Orbit(seconds);
   const MotionInput input = held_.At(now);
   if (camera_ && (input.any() || camera_->moving())) {
     camera_->Step(input, seconds);
   }
   if (camera_) view_.camera = camera_->frame();
+}
+
+void LiveState::Orbit(double seconds) {
+  const double ahead =
+      (scene_->camera.look_at - scene_->camera.position).length();
+  const double distance = scene_->camera.has_look_at ? ahead : 3 * speed_;
+  FreeCamera* camera = Camera();
+  if (camera == nullptr) return;
+  const double angle = orbit_side_ * kOrbitSpeed * seconds;
+  camera->Orbit(angle, distance);
+  orbit_angle_ += angle;
+  if (orbit_angle_ * orbit_side_ >= modes_.orbit_reach) {
+    orbit_side_ = -orbit_side_;
+  }
 }
 
 std::vector<LiveCommand> LiveState::TakeActions() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,8 @@ struct LiveModes {
   std::size_t picked = 0;  ///< Scene that the picker points at.
   bool playing = true;     ///< Movement paths run.
   bool orbit = false;
+  /// Where the orbit turns back, to each side, in radians.
+  double orbit_reach = std::numeric_limits<double>::infinity();
   bool governor = true;
   bool quality = false;
   std::size_t side = 0;  ///< The split screen's side that `n` changes.
@@ -95,6 +98,7 @@ class LiveState {
   void ChangeDepth();
   void NextBackend();
   void StepOnce();
+  void Orbit(double seconds);
   void Reset();
   void Split();
   void MoveDivider(double share);
@@ -107,6 +111,8 @@ class LiveState {
   LiveModes modes_;
   HeldKeys held_;
   std::optional<FreeCamera> camera_;
+  double orbit_angle_ = 0;  ///< From where the orbit began.
+  double orbit_side_ = 1;   ///< The way it goes, 1 or -1.
   std::shared_ptr<const Scene> scene_;
   std::string last_scene_;  ///< The one that was loaded.
   double speed_ = 1;

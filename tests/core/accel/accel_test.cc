@@ -112,6 +112,49 @@ TYPED_TEST(AccelTest, TintMultipliesAtEachCrossing) {
   EXPECT_EQ(traced.accel.Transmittance(ray), Rgb(0));
 }
 
+/// Six spheres, of which one lets light through, and two disks.
+FlatScene FewQuadrics() {
+  FlatScene flat;
+  flat.objects.resize(9);
+  for (int i = 0; i < 6; ++i) {
+    flat.spheres.push_back(
+        SphereAt(V3d(2 * i - 5, i % 3 - 1, i % 2), 0.7 + 0.1 * i, i));
+  }
+  flat.disks = {
+      {PositionRotateScale(V3d(0, -2, 0), V3d(90, 0, 0), V3d(6, 6, 6)), 6},
+      {PositionRotateScale(V3d(1, 0, -2), V3d(20, 30, 0), V3d(2, 2, 2)), 7}};
+  return flat;
+}
+
+// Eight quadrics are tested one by one; a triangle far away brings a tree.
+TYPED_TEST(AccelTest, FewQuadricsAnswerAsATreeOfThem) {
+  FlatScene flat = FewQuadrics();
+  std::vector<Rgb> transmittance(9, Rgb(0));
+  transmittance[2] = Rgb(0.5f);
+  const Traced<TypeParam> few(flat, transmittance);
+  flat.triangles = {
+      TriangleOf(V3f(0, 1e4f, 0), V3f(1, 1e4f, 0), V3f(0, 1e4f, 1), 8)};
+  const Traced<TypeParam> tree(flat, transmittance);
+  int hits = 0, dim = 0;
+  for (std::uint32_t i = 0; i < 4000; ++i) {
+    Ray ray;
+    ray.origin = testing::RandomDirection(i, 1) * 4;
+    ray.direction = testing::RandomDirection(i, 2);
+    const Hit hit = few.accel.Closest(ray), same = tree.accel.Closest(ray);
+    ASSERT_EQ(hit.kind, same.kind) << i;
+    ASSERT_EQ(hit.primitive, same.primitive) << i;
+    ASSERT_EQ(hit.t, same.t) << i;
+    ray.t_max = 6;
+    const Rgb through = few.accel.Transmittance(ray);
+    ASSERT_EQ(through, tree.accel.Transmittance(ray)) << i;
+    ASSERT_EQ(few.accel.Occluded(ray), tree.accel.Occluded(ray)) << i;
+    hits += hit.kind != PrimitiveKind::kNothing;
+    dim += through != Rgb(0) && through != Rgb(1);
+  }
+  EXPECT_GT(hits, 400);
+  EXPECT_GT(dim, 20);
+}
+
 TYPED_TEST(AccelTest, EmptySceneIsNothing) {
   const Traced<TypeParam> traced(FlatScene{}, {});
   EXPECT_EQ(traced.accel.Closest(Ray{}).kind, PrimitiveKind::kNothing);
