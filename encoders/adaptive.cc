@@ -64,8 +64,11 @@ class Adaptive : public Encoder {
                      settings_.color == ColorRule::kMean ? Priority::kSquare
                                                          : Priority::kRoot,
                      settings_.seed.value_or(context.seed), context.threads}));
-    const RebuiltRaster raster = Rebuild(
-        samples, atlas_.width(), atlas_.height(), cell_aspect, context.threads);
+    const RebuiltRaster raster =
+        Rebuild(samples, atlas_.width(), atlas_.height(), cell_aspect,
+                settings_.color == ColorRule::kMean ? Texture::kExpected
+                                                    : Texture::kKept,
+                context.threads);
     Encoding encoding;
     encoding.rays_per_cell =
         static_cast<double>(samples.all().size()) / grid.cells();

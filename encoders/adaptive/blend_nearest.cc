@@ -23,7 +23,7 @@ using I = hn::Vec<PlaceInts>;
 constexpr float kWithinPixel = 0.25f;
 
 /// Samples nearer to each other than this tell how a sub-pixel is divided.
-constexpr float kPixelReach = 1.5f;
+constexpr float kPixelReach = 3;
 
 HWY_INLINE F Same(float v) { return hn::Set(PlaceFloats(), v); }
 HWY_INLINE I Same(int v) { return hn::Set(PlaceInts(), v); }

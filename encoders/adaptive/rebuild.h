@@ -23,8 +23,14 @@ struct RebuiltRaster {
   }
 };
 
+/// What to show where samples do not foretell one another.
+enum class Texture {
+  kExpected,  ///< Their mean, whose squared error is expected to be least.
+  kKept,      ///< What the nearest ones show, which looks more like it.
+};
+
 /// Rebuilds the raster of every cell from the samples in it and around it.
 RebuiltRaster Rebuild(const SeenSamples& samples, int width, int height,
-                      double cell_aspect, int threads);
+                      double cell_aspect, Texture texture, int threads);
 
 }  // namespace rtb

@@ -16,9 +16,10 @@ struct MeanChange {
   double variance = 0;  ///< Of a cell's mean, per channel, from noise alone.
 };
 
-/// For each cell whether the mean of the 5 x 5 cells around it has moved by
-/// more than noise explains: a chi-square test of the three channels at
-/// 1/1000, the variance counted twice for encoders that do not use all their
+/// For each cell whether the mean of a window around it has moved by more than
+/// noise explains. Windows are 5 x 5 and 9 x 9 cells, and 3 and 9 cells of
+/// its row and of its column; each is a chi-square test of the three channels
+/// at 1/1000, the variance counted twice for encoders that do not use all their
 /// samples.
 std::vector<bool> FindDrift(GridSize grid,
                             const std::vector<MeanChange>& changes);

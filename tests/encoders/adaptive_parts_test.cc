@@ -6,6 +6,7 @@
 #include "core/math/random.h"
 #include "encoders/adaptive/choose_rays.h"
 #include "encoders/adaptive/rebuild.h"
+#include "encoders/adaptive/reliance.h"
 
 namespace rtb {
 namespace {
@@ -151,7 +152,8 @@ TEST(AdaptiveRebuild, ShowsSamplesWhereTheyAre) {
   }
   SeenSamples samples(kGrid);
   samples.Add(plan, fragments);
-  const RebuiltRaster raster = Rebuild(samples, 8, 16, kCellAspect, 1);
+  const RebuiltRaster raster =
+      Rebuild(samples, 8, 16, kCellAspect, Texture::kKept, 1);
   for (int cell = 0; cell < kGrid.cells(); ++cell) {
     for (std::size_t i = 0; i < 4; ++i) {
       const V2f at = plan.positions[i] * V2f(8, 16);
@@ -167,12 +169,101 @@ TEST(AdaptiveRebuild, ShowsSamplesWhereTheyAre) {
 
 TEST(AdaptiveRebuild, NeverLeavesTheRangeOfTheSamples) {
   const SeenSamples samples = RandomSamples(5);
-  const RebuiltRaster raster = Rebuild(samples, 3, 7, kCellAspect, 2);
-  ASSERT_EQ(raster.encoded.size(), static_cast<std::size_t>(12 * 3 * 7));
-  for (const Rgb& color : raster.encoded) {
-    EXPECT_GE(color.x, 0.0f);
-    EXPECT_LE(color.x, 1.0f);
+  for (const Texture texture : {Texture::kExpected, Texture::kKept}) {
+    const RebuiltRaster raster =
+        Rebuild(samples, 3, 7, kCellAspect, texture, 2);
+    ASSERT_EQ(raster.encoded.size(), static_cast<std::size_t>(12 * 3 * 7));
+    for (const Rgb& color : raster.encoded) {
+      EXPECT_GE(color.x, 0.0f);
+      EXPECT_LE(color.x, 1.0f);
+    }
   }
+}
+
+/// Mean squared distance of the red of a noise's raster from its mean.
+double SpreadOfNoise(Texture texture) {
+  const SeenSamples samples = RandomSamples(16);
+  const RebuiltRaster raster = Rebuild(samples, 8, 16, kCellAspect, texture, 1);
+  double sum = 0;
+  double squares = 0;
+  for (const Rgb& color : raster.encoded) {
+    const double red = static_cast<double>(color.x);
+    sum += red;
+    squares += red * red;
+  }
+  const auto count = static_cast<double>(raster.encoded.size());
+  return squares / count - sum * sum / (count * count);
+}
+
+// In noise nothing but the mean is to be expected. Of 16 samples a cell some 60
+// count in a wide mean: were all else equal, 1/20 of the spread of means of 3.
+TEST(AdaptiveRebuild, SmoothsNoiseWhereTheMeanIsAskedFor) {
+  EXPECT_LT(SpreadOfNoise(Texture::kExpected),
+            SpreadOfNoise(Texture::kKept) / 3);
+}
+
+/// `each` samples in every cell, at random places, of a gray that depends on
+/// the place in cells.
+template <class GrayAt>
+SeenSamples SamplesOf(int each, const GrayAt& gray_at) {
+  SamplePlan plan;
+  plan.grid = kGrid;
+  plan.samples_per_cell = each;
+  Fragments fragments;
+  for (int i = 0; i < kGrid.cells() * each; ++i) {
+    plan.positions.emplace_back(Random(i, 0), Random(i, 1));
+    fragments.values.emplace_back(
+        gray_at(PlaceOf(i / each, plan.positions.back())));
+  }
+  SeenSamples samples(kGrid);
+  samples.Add(plan, fragments);
+  return samples;
+}
+
+std::vector<float> ReliancesOf(const SeenSamples& samples) {
+  return Reliances(ByCell(samples, kCellAspect), 1);
+}
+
+// A gradient is foretold by what is near, wherever one looks.
+TEST(AdaptiveReliance, IsFullOnAGradient) {
+  const auto gray = [](const V2f& place) { return place.x / 32; };
+  for (const float reliance : ReliancesOf(SamplesOf(8, gray))) {
+    EXPECT_GT(reliance, 0.9f);
+  }
+}
+
+// So is a half plane, but for the samples beside the edge: a slope of 1/3,
+// which stands for 1 - (2/3)^4 = 0.8, takes an error in one sample of six.
+TEST(AdaptiveReliance, IsHighAtAnEdge) {
+  const auto gray = [](const V2f& place) {
+    return place.x + place.y / 3 < 20 ? 0.1f : 0.8f;
+  };
+  for (const float reliance : ReliancesOf(SamplesOf(16, gray))) {
+    EXPECT_GT(reliance, 0.8f);
+  }
+}
+
+// Independent samples do not foretell one another: a slope of 0, up to 1.5
+// standard deviations of about 1 / sqrt(3 x 3 x 16 / 2).
+TEST(AdaptiveReliance, IsLowInNoise) {
+  float sum = 0;
+  const std::vector<float> reliances = ReliancesOf(RandomSamples(16));
+  for (const float reliance : reliances) sum += reliance;
+  EXPECT_LT(sum / static_cast<float>(reliances.size()), 0.4f);
+}
+
+TEST(AdaptiveReliance, IsFullWithoutEvidence) {
+  const auto white = [](const V2f&) { return 1.0f; };
+  for (const float reliance : ReliancesOf(SamplesOf(4, white))) {
+    EXPECT_EQ(reliance, 1.0f);
+  }
+  SeenSamples one(GridSize{1, 1});
+  SamplePlan plan;
+  plan.grid = {1, 1};
+  plan.samples_per_cell = 1;
+  plan.positions = {V2f(0.5f, 0.5f)};
+  one.Add(plan, Fragments(plan));
+  EXPECT_EQ(Reliances(ByCell(one, kCellAspect), 1), std::vector<float>{1.0f});
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Expected Blend(const NearSamples& near, float x, float y) {
     expected.encoded += near.encoded[i] * weight;
     expected.linear += near.linear[i] * weight;
     sum += weight;
-    expected.share = 1 / (1 + distance2 / 2.25f);
+    expected.share = 1 / (1 + distance2 / 9);
   }
   expected.encoded /= sum;
   expected.linear /= sum;
