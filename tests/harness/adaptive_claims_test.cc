@@ -151,7 +151,8 @@ TEST_P(AdaptiveClaims, MediansHaveALowerFlip) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AdaptiveClaims,
-                         testing::Values("whitted", "cornell", "moving"),
+                         testing::Values("whitted", "cornell", "moving",
+                                         "lambertian"),
                          [](const auto& test) { return test.param; });
 
 TEST(AdaptiveStress, EightRaysBeatAnyPatternOfUpTo16) {
