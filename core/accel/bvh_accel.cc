@@ -64,15 +64,15 @@ void BvhAccel::RenewView() {
 }
 
 Hit BvhAccel::Closest(const Ray& ray) const {
-  return kernels_->closest(view_, ray);
+  return HostBvhTracer(view_, *kernels_).Closest(ray);
 }
 
 Rgb BvhAccel::Transmittance(const Ray& ray) const {
-  return kernels_->transmittance(view_, ray);
+  return HostBvhTracer(view_, *kernels_).Transmittance(ray);
 }
 
 bool BvhAccel::Occluded(const Ray& ray) const {
-  return kernels_->occluded(view_, ray);
+  return HostBvhTracer(view_, *kernels_).Occluded(ray);
 }
 
 }  // namespace rtb

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <deque>
+#include <mutex>
 #include <utility>
 
 #include "core/accel/bvh_flatten.h"
-#include "core/base/check.h"
 #include "core/base/parallel.h"
 
 namespace rtb {
@@ -18,28 +18,49 @@ namespace {
 // levels left, and a node may come on top of a leaf of several kinds.
 constexpr unsigned kBuilderDepth = kMaxBvhDepth - 2;
 
-template <class T>
-T* Allocate(RTCThreadLocalAllocator allocator) {
-  return new (rtcThreadLocalAlloc(allocator, sizeof(T), alignof(T))) T;
-}
+/// What the builder's callbacks share. They run on many threads and take
+/// turns: little next to finding the splits. Memory of our own, where
+/// sanitizers see who hands what to whom.
+struct Shared {
+  const std::vector<BvhPrimitive>& primitives;
+  std::mutex guard{};
+  std::deque<BuiltNode> nodes{};
+  std::deque<BuiltLeaf> leaves{};
+};
 
-void* CreateNode(RTCThreadLocalAllocator allocator, unsigned count, void*) {
-  auto* node = Allocate<BuiltNode>(allocator);
-  node->count = count;
-  return static_cast<Built*>(node);
+/// The shared data for the length of a callback.
+class Turn {
+ public:
+  explicit Turn(void* shared)
+      : shared_(*static_cast<Shared*>(shared)), lock_(shared_.guard) {}
+  Shared* operator->() const { return &shared_; }
+
+ private:
+  Shared& shared_;
+  const std::lock_guard<std::mutex> lock_;
+};
+
+void* CreateNode(RTCThreadLocalAllocator, unsigned count, void* shared) {
+  const Turn turn(shared);
+  BuiltNode& node = turn->nodes.emplace_back();
+  node.count = count;
+  return static_cast<Built*>(&node);
 }
 
 BuiltNode* NodeOf(void* built) {
   return static_cast<BuiltNode*>(static_cast<Built*>(built));
 }
 
-void SetChildren(void* node, void** children, unsigned count, void*) {
+void SetChildren(void* node, void** children, unsigned count, void* shared) {
+  const Turn turn(shared);
   for (unsigned i = 0; i < count; ++i) {
     NodeOf(node)->child[i] = static_cast<Built*>(children[i]);
   }
 }
 
-void SetBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
+void SetBounds(void* node, const RTCBounds** bounds, unsigned count,
+               void* shared) {
+  const Turn turn(shared);
   for (unsigned i = 0; i < count; ++i) {
     const RTCBounds& b = *bounds[i];
     NodeOf(node)->box[i] = {V3f(b.lower_x, b.lower_y, b.lower_z),
@@ -47,18 +68,19 @@ void SetBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
   }
 }
 
-void* CreateLeaf(RTCThreadLocalAllocator allocator,
-                 const RTCBuildPrimitive* items, std::size_t count,
-                 void* primitives) {
-  auto* leaf = Allocate<BuiltLeaf>(allocator);
-  leaf->count = static_cast<unsigned>(count);
-  const auto* all = static_cast<const BvhPrimitive*>(primitives);
+void* CreateLeaf(RTCThreadLocalAllocator, const RTCBuildPrimitive* items,
+                 std::size_t count, void* shared) {
   // In one order, however threads shared the work.
   std::array<unsigned, kMaxLeafItems> order{};
   for (std::size_t i = 0; i < count; ++i) order[i] = items[i].primID;
   std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
-  for (std::size_t i = 0; i < count; ++i) leaf->item[i] = all[order[i]];
-  return static_cast<Built*>(leaf);
+  const Turn turn(shared);
+  BuiltLeaf& leaf = turn->leaves.emplace_back();
+  leaf.count = static_cast<unsigned>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    leaf.item[i] = turn->primitives[order[i]];
+  }
+  return static_cast<Built*>(&leaf);
 }
 
 bool IsFinite(const BvhPrimitive& p) {
@@ -78,7 +100,7 @@ std::vector<RTCBuildPrimitive> ToRtc(const std::vector<BvhPrimitive>& all) {
   return result;
 }
 
-RTCBuildArguments Arguments(RTCBVH bvh, const BvhPrimitive* primitives,
+RTCBuildArguments Arguments(RTCBVH bvh, Shared* shared,
                             std::vector<RTCBuildPrimitive>* items) {
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.maxBranchingFactor = kBvhWidth;
@@ -94,7 +116,7 @@ RTCBuildArguments Arguments(RTCBVH bvh, const BvhPrimitive* primitives,
   arguments.setNodeChildren = SetChildren;
   arguments.setNodeBounds = SetBounds;
   arguments.createLeaf = CreateLeaf;
-  arguments.userPtr = const_cast<BvhPrimitive*>(primitives);  // only read
+  arguments.userPtr = shared;
   return arguments;
 }
 
@@ -134,16 +156,14 @@ Result<BvhRoot> BvhBuilder::Build(const std::vector<BvhPrimitive>& primitives,
   if (items.empty()) return BvhRoot{};
   const RTCBVH bvh = rtcNewBVH(device_->rtc);
   if (bvh == nullptr) return Fail(OutOfMemory());
-  const RTCBuildArguments arguments = Arguments(bvh, primitives.data(), &items);
+  Shared shared{primitives};
+  const RTCBuildArguments arguments = Arguments(bvh, &shared, &items);
   void* root = nullptr;
   RunBounded(threads, [&] { root = rtcBuildBVH(&arguments); });
-  BvhRoot flat;
-  if (root != nullptr) {
-    flat = FlattenBvh(*static_cast<const Built*>(root), corners, arrays);
-  }
   rtcReleaseBVH(bvh);
   if (root == nullptr) return Fail(OutOfMemory());
-  return flat;
+  const Turn turn(&shared);
+  return FlattenBvh(*static_cast<const Built*>(root), corners, arrays);
 }
 
 }  // namespace rtb

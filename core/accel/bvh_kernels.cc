@@ -3,35 +3,41 @@
 #include <array>
 
 #include "core/accel/bvh_lanes_avx2.h"
-#include "core/accel/bvh_tracer.h"
 
 namespace rtb {
 namespace {
 
-#define RTB_BVH_KERNELS(Lanes, attributes)                                   \
-  attributes Hit Closest##Lanes(const BvhView& view, const Ray& ray) {       \
-    return BasicBvhTracer<Lanes>(view).Closest(ray);                         \
-  }                                                                          \
-  attributes bool Occluded##Lanes(const BvhView& view, const Ray& ray) {     \
-    return BasicBvhTracer<Lanes>(view).Occluded(ray);                        \
-  }                                                                          \
-  attributes Rgb Transmittance##Lanes(const BvhView& view, const Ray& ray) { \
-    return BasicBvhTracer<Lanes>(view).Transmittance(ray);                   \
-  }
+Hit ClosestPortable(const BvhView& view, const Ray& ray) {
+  return ClosestInBvh<PortableLanes>(view, ray);
+}
 
-// `flatten` inlines the whole walk, so that the tests become part of it and
-// all is compiled for the instruction set.
-RTB_BVH_KERNELS(PortableLanes, [[gnu::flatten]])
+void CrossPortable(const BvhView& view, const Ray& ray, BvhCrossing* crossing) {
+  CrossBvh<PortableLanes>(view, ray, crossing);
+}
+
 #ifdef __x86_64__
-RTB_BVH_KERNELS(Avx2Lanes, RTB_AVX2 [[gnu::flatten]])
+// Inlines the whole walk, so that the tests become part of it and all is
+// compiled for the instruction set. Sanitizers make that too large.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define RTB_AVX2_WALK RTB_AVX2
+#else
+#define RTB_AVX2_WALK RTB_AVX2 [[gnu::flatten]]
+#endif
+
+RTB_AVX2_WALK Hit ClosestAvx2(const BvhView& view, const Ray& ray) {
+  return ClosestInBvh<Avx2Lanes>(view, ray);
+}
+
+RTB_AVX2_WALK void CrossAvx2(const BvhView& view, const Ray& ray,
+                             BvhCrossing* crossing) {
+  CrossBvh<Avx2Lanes>(view, ray, crossing);
+}
 #endif
 
 constexpr std::array kKernels = {
-    BvhKernels{"portable", ClosestPortableLanes, OccludedPortableLanes,
-               TransmittancePortableLanes},
+    BvhKernels{"portable", ClosestPortable, CrossPortable},
 #ifdef __x86_64__
-    BvhKernels{"avx2", ClosestAvx2Lanes, OccludedAvx2Lanes,
-               TransmittanceAvx2Lanes},
+    BvhKernels{"avx2", ClosestAvx2, CrossAvx2},
 #endif
 };
 

@@ -1,12 +1,11 @@
 /// @file
-/// BvhKernels: BvhTracer's answers compiled for the instruction sets that
+/// BvhKernels: BvhTracer's queries compiled for the instruction sets that
 /// there are, chosen at run time.
 #pragma once
 
 #include <span>
 
-#include "core/accel/bvh_view.h"
-#include "core/accel/ray.h"
+#include "core/accel/bvh_tracer.h"
 
 namespace rtb {
 
@@ -14,9 +13,18 @@ namespace rtb {
 struct BvhKernels {
   const char* name;
   Hit (*closest)(const BvhView&, const Ray&);
-  bool (*occluded)(const BvhView&, const Ray&);
-  Rgb (*transmittance)(const BvhView&, const Ray&);
+  void (*cross)(const BvhView&, const Ray&, BvhCrossing*);
+
+  Hit Closest(const BvhView& view, const Ray& ray) const {
+    return closest(view, ray);
+  }
+  void Cross(const BvhView& view, const Ray& ray, BvhCrossing* crossing) const {
+    cross(view, ray, crossing);
+  }
 };
+
+/// A tracer on the host.
+using HostBvhTracer = BasicBvhTracer<BvhKernels>;
 
 /// Those that this machine can run, the portable ones first, the best last.
 std::span<const BvhKernels> RunnableBvhKernels();

@@ -9,26 +9,38 @@
 
 namespace rtb {
 
+/// The two queries, compiled for wherever this is.
+struct PortableQueries {
+  RTB_HD Hit Closest(const BvhView& view, const Ray& ray) const {
+    return ClosestInBvh<PortableLanes>(view, ray);
+  }
+  RTB_HD void Cross(const BvhView& view, const Ray& ray,
+                    BvhCrossing* crossing) const {
+    CrossBvh<PortableLanes>(view, ray, crossing);
+  }
+};
+
 /// Answers ray queries on a BvhView as EmbreeAccel does on its scene. No
 /// recursion, no allocation; the stacks are of fixed size, which BvhAccel's
 /// trees never exceed.
-/// @tparam Lanes the tests of boxes and triangles; all give the same bits.
-template <class Lanes>
+/// @tparam Queries as PortableQueries; all give the same bits.
+template <class Queries>
 class BasicBvhTracer {
  public:
   /// @param view must outlive the tracer.
-  RTB_HD explicit BasicBvhTracer(const BvhView& view) : view_(view) {}
+  RTB_HD explicit BasicBvhTracer(const BvhView& view, Queries queries = {})
+      : view_(view), queries_(queries) {}
 
   /// The closest hit on (0, ray.t_max), kind kNothing if there is none.
   RTB_HD Hit Closest(const Ray& ray) const {
-    return ClosestInBvh<Lanes>(view_, ray);
+    return queries_.Closest(view_, ray);
   }
 
   /// Whether anything, transparent or not, lies on (0, ray.t_max).
   RTB_HD bool Occluded(const Ray& ray) const {
     BvhCrossing crossing;
     crossing.opaque = true;
-    CrossBvh<Lanes>(view_, ray, &crossing);
+    queries_.Cross(view_, ray, &crossing);
     return crossing.blocked;
   }
 
@@ -36,7 +48,7 @@ class BasicBvhTracer {
   /// transmittances of all surfaces crossed, 0 when an opaque one is.
   RTB_HD Rgb Transmittance(const Ray& ray) const {
     BvhCrossing crossing;
-    CrossBvh<Lanes>(view_, ray, &crossing);
+    queries_.Cross(view_, ray, &crossing);
     if (crossing.blocked) return Rgb(0);
     if (!crossing.crossed) return Rgb(1);
     return SteppedTransmittance(*this, view_.transmittance, ray);
@@ -46,9 +58,10 @@ class BasicBvhTracer {
 
  private:
   const BvhView& view_;
+  const Queries queries_;
 };
 
 /// The tracer of every machine.
-using BvhTracer = BasicBvhTracer<PortableLanes>;
+using BvhTracer = BasicBvhTracer<PortableQueries>;
 
 }  // namespace rtb

@@ -113,10 +113,10 @@ TEST(BvhAccelTest, AllInstructionSetsGiveTheBitsOfTheTracer) {
     hits += hit.kind != PrimitiveKind::kNothing;
     for (const BvhKernels& kernels : RunnableBvhKernels()) {
       SCOPED_TRACE(kernels.name);
-      ExpectSame(kernels.closest(accel.view(), ray), hit);
-      EXPECT_EQ(kernels.occluded(accel.view(), ray), tracer.Occluded(ray));
-      EXPECT_EQ(kernels.transmittance(accel.view(), ray),
-                tracer.Transmittance(ray));
+      const HostBvhTracer host(accel.view(), kernels);
+      ExpectSame(host.Closest(ray), hit);
+      EXPECT_EQ(host.Occluded(ray), tracer.Occluded(ray));
+      EXPECT_EQ(host.Transmittance(ray), tracer.Transmittance(ray));
     }
   }
   EXPECT_GT(hits, 2000);
@@ -214,11 +214,11 @@ TEST(BvhAccelTest, RaysThatAreNoneMeetNothing) {
     rays.emplace_back().t_max = t_max;
   }
   for (const BvhKernels& kernels : RunnableBvhKernels()) {
+    const HostBvhTracer tracer(accel.view(), kernels);
     for (const Ray& ray : rays) {
-      EXPECT_EQ(kernels.closest(accel.view(), ray).kind,
-                PrimitiveKind::kNothing);
-      EXPECT_FALSE(kernels.occluded(accel.view(), ray));
-      EXPECT_EQ(kernels.transmittance(accel.view(), ray), Rgb(1));
+      EXPECT_EQ(tracer.Closest(ray).kind, PrimitiveKind::kNothing);
+      EXPECT_FALSE(tracer.Occluded(ray));
+      EXPECT_EQ(tracer.Transmittance(ray), Rgb(1));
     }
   }
 }
