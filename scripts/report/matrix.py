@@ -40,6 +40,11 @@ class Matrix:
         found = [self.get(e, scene) for e in self.encoders]
         return min((v for v in found if v is not None), default=None)
 
+    def on(self, scenes):
+        """The same on those of its scenes alone."""
+        return Matrix(self.encoders, [s for s in self.scenes if s in scenes],
+                      self.values)
+
     def complete(self):
         """The encoders that have a value for every scene."""
         return [encoder for encoder in self.encoders

@@ -50,10 +50,27 @@ def draw_points(axes, encoders, points, bars, front, size=22):
     return colors
 
 
+def spread(errors):
+    """Whether an outlier would flatten all others on a linear axis."""
+    return len(errors) > 1 and min(errors) > 0 and max(errors) > 4 * min(errors)
+
+
+def errors_of(figures, scene):
+    found = [figures.get(encoder, scene) for encoder in figures.encoders]
+    return [error for error in found if error is not None]
+
+
+def scale_errors(axes):
+    axes.set_yscale("log")
+    style.plain_log(axes.yaxis)
+
+
 def tradeoff(study, cost, name, axis, title):
     """Mean FLIP over scenes against the geometric mean of a cost."""
     from matplotlib import pyplot
-    figures = study.flip
+    # Times may have been taken on some of the scenes alone.
+    figures = study.flip.on(cost.scenes)
+    cost = cost.on(figures.scenes)
     encoders = [e for e in figures.complete()
                 if len(cost.row(e)) == len(figures.scenes)
                 and cost.geometric_mean(e)]
@@ -68,6 +85,8 @@ def tradeoff(study, cost, name, axis, title):
     axes.set_xscale("log")
     axes.margins(x=0.12)
     style.plain_log(axes.xaxis)
+    if spread([y for _, y in points]):
+        scale_errors(axes)
     axes.set(xlabel=axis, ylabel=flip_axis(study, "mean FLIP"))
     names = study.names
     style.settle(figure)
@@ -111,39 +130,37 @@ def small_multiples(study, name, title, axis, lead, cost, bar):
     """One panel a scene; cost(encoder, scene) and its bar."""
     from matplotlib import pyplot
     figures = study.flip
+    figures = figures.on([s for s in figures.scenes if any(
+        figures.get(e, s) is not None and cost(e, s)
+        for e in figures.encoders)])
+    if not figures.scenes:
+        return None
     rows, columns = grid_of(len(figures.scenes))
     figure, panels = pyplot.subplots(
         rows, columns, figsize=(style.WIDTH * 1.15, 1.75 * rows + 0.3),
         squeeze=False, sharex=True)
-    drawn = [draw_scene(panel, study, scene, cost, bar)
+    drawn = [draw_scene(panel, figures, scene, cost, bar)
              for panel, scene in zip(panels.flat, figures.scenes)]
     for panel in panels.flat[len(figures.scenes):]:
         panel.set_visible(False)
     # The lowest of each column has the figures.
     for panel in panels.flat[:len(figures.scenes)][-columns:]:
         panel.tick_params(labelbottom=True)
-    if not any(drawn):
-        pyplot.close(figure)
-        return None
     figure.supxlabel(axis, fontsize=8)
     figure.supylabel(flip_axis(study, "FLIP"), fontsize=8)
     style.settle(figure)
     for panel, found in zip(panels.flat, drawn):
-        if found:
-            label_scene(panel, study, *found)
+        label_scene(panel, study, *found)
     return Plot(study.name(name), study.title(title),
                 study.caption(lead, len(figures.scenes)), figure)
 
 
-def draw_scene(panel, study, scene, cost, bar):
-    """(encoders, points, front, colors), or None without points."""
-    figures = study.flip
+def draw_scene(panel, figures, scene, cost, bar):
+    """(encoders, points, front, colors)."""
     encoders = [e for e in figures.encoders
                 if figures.get(e, scene) is not None and cost(e, scene)]
     points = [(cost(e, scene), figures.get(e, scene)) for e in encoders]
     panel.set_title(scene, loc="left", pad=3, fontsize=8)
-    if not points:
-        return None
     front = statistics.pareto_front(points)
     draw_front(panel, points, front, linewidth=0.9)
     colors = draw_points(panel, encoders, points, [(0, 0)] * len(points),
@@ -153,7 +170,10 @@ def draw_scene(panel, study, scene, cost, bar):
         panel.plot([low, high], [point[1]] * 2, color=color, linewidth=0.8)
     panel.set_xscale("log")
     panel.margins(x=0.15, y=0.18)
-    panel.set_ylim(bottom=0)
+    if any(spread(errors_of(figures, s)) for s in figures.scenes):
+        scale_errors(panel)
+    else:
+        panel.set_ylim(bottom=0)
     panel.tick_params(labelsize=6.5)
     style.plain_log(panel.xaxis, 12)
     return encoders, points, front, colors

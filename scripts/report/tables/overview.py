@@ -29,6 +29,9 @@ def overview(study):
             pair = shown_pair(pairs, figures, encoder, control)
             row += difference_cells(pair)[:2]
         table.rows.append(row)
+    timed = study.ms.scenes
+    if timed and len(timed) < len(figures.scenes):
+        table.notes.append(f"Times are of {', '.join(timed)} alone.")
     rest = [e for e in figures.encoders if e not in figures.complete()]
     if rest:
         table.notes.append("Not on every scene, and so not here: "
