@@ -32,7 +32,7 @@ struct Densities {
 };
 
 /// BsdfSample.
-struct Samples {
+struct BsdfSamples {
   V3 wi;
   V3 weight;
   F pdf;
@@ -85,10 +85,10 @@ class Bsdfs {
   }
 
   /// SampleBsdf.
-  HWY_INLINE Samples Draw(const SobolPoint& u) const {
+  HWY_INLINE BsdfSamples Draw(const SobolPoint& u) const {
     const F zero = hn::Zero(DF());
     const V3 black{zero, zero, zero};
-    Samples samples{Mirrored(), black, zero, None()};
+    BsdfSamples samples{Mirrored(), black, zero, None()};
     const M spread = hn::And(Spread(), wo_.z > zero);
     if (Any(spread)) DrawSpread(u, spread, &samples);
     DrawMirrors(&samples);
@@ -104,7 +104,7 @@ class Bsdfs {
 
   /// SampleOf the directions of the Lambertian and the GGX lobe.
   HWY_INLINE void DrawSpread(const SobolPoint& u, M spread,
-                             Samples* samples) const {
+                             BsdfSamples* samples) const {
     const F ux = u.x(), uy = u.y();
     const M rough = hn::And(Of(WideScene::kRough), spread);
     samples->wi = Select(spread, Cosine(ux, uy), samples->wi);
@@ -126,7 +126,7 @@ class Bsdfs {
     return {radius * phi.cosine, radius * phi.sine, hn::Sqrt(Set(1) - ux)};
   }
 
-  HWY_INLINE void DrawMirrors(Samples* samples) const {
+  HWY_INLINE void DrawMirrors(BsdfSamples* samples) const {
     const M front = wo_.z > hn::Zero(DF());
     const M mirror = hn::And(Of(WideScene::kMirror), front);
     const M smooth = hn::And(Of(WideScene::kSmooth), front);
@@ -139,7 +139,7 @@ class Bsdfs {
   }
 
   /// SampleDielectric.
-  HWY_INLINE void DrawGlass(F u, M glass, Samples* samples) const {
+  HWY_INLINE void DrawGlass(F u, M glass, BsdfSamples* samples) const {
     const F one = Set(1), zero = hn::Zero(DF());
     const M outside = wo_.z > zero;
     const F eta = Select(outside, LookUp(scene_.outside, primitive_),

@@ -167,10 +167,10 @@ HWY_INLINE V3 Transposed(const Linear& m, const V3& n) {
 }
 
 /// TangentsOf (core/math/frame.h) with the normal itself: a frame.
-struct Frame {
+struct LaneFrame {
   V3 s, t, n;
 };
-HWY_INLINE Frame FrameOf(const V3& n) {
+HWY_INLINE LaneFrame FrameOf(const V3& n) {
   const F one = Set(1);
   const F sign = hn::CopySign(one, n.z);
   const F a = Set(-1) / (sign + n.z);
@@ -179,10 +179,10 @@ HWY_INLINE Frame FrameOf(const V3& n) {
           {b, sign + n.y * n.y * a, hn::Neg(n.y)},
           n};
 }
-HWY_INLINE V3 ToLocal(const Frame& frame, const V3& v) {
+HWY_INLINE V3 ToLocal(const LaneFrame& frame, const V3& v) {
   return {Dot(v, frame.s), Dot(v, frame.t), Dot(v, frame.n)};
 }
-HWY_INLINE V3 ToWorld(const Frame& frame, const V3& v) {
+HWY_INLINE V3 ToWorld(const LaneFrame& frame, const V3& v) {
   return Normalized(frame.s * v.x + frame.t * v.y + frame.n * v.z);
 }
 

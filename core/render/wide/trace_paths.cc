@@ -63,10 +63,10 @@ HWY_INLINE void KeepState(const State& state, M kept, int first, Paths* paths) {
 }
 
 /// One bounce of path.h's PathTracer for the paths of a batch.
-class Bounce {
+class WideBounce {
  public:
-  Bounce(const WideScene& scene, std::uint64_t seed, int depth, bool last,
-         RayCounts* counts)
+  WideBounce(const WideScene& scene, std::uint64_t seed, int depth, bool last,
+             RayCounts* counts)
       : scene_(scene),
         sky_(scene),
         seed_(seed),
@@ -88,7 +88,7 @@ class Bounce {
     // A BSDF's frame is on the viewer's side, but outward for glass.
     const M glass = LanesOf(scene_, met, hits.primitive, WideScene::kGlass);
     const V3 axis = Select(glass, points.normal, geometric);
-    const Frame frame = FrameOf(axis);
+    const LaneFrame frame = FrameOf(axis);
     const Bsdfs bsdfs(scene_, met, hits.primitive,
                       ToLocal(frame, -path->direction));
     const M spread = bsdfs.Spread();
@@ -125,9 +125,9 @@ class Bounce {
   }
 
   /// AddDirectLight, where the sky is all that emits.
-  HWY_INLINE void AddSkyLight(M spread, const Bsdfs& bsdfs, const Frame& frame,
-                              const Points& points, const V3& geometric,
-                              State* path) const {
+  HWY_INLINE void AddSkyLight(M spread, const Bsdfs& bsdfs,
+                              const LaneFrame& frame, const Points& points,
+                              const V3& geometric, State* path) const {
     const F zero = hn::Zero(DF());
     const SobolPoint u = Uniforms(*path, kLight);
     const SkySamples sky = sky_.Draw(u.x(), u.y());
@@ -150,12 +150,12 @@ class Bounce {
   }
 
   /// Scatter and Survives.
-  HWY_INLINE M Scatter(M met, const Bsdfs& bsdfs, const Frame& frame,
+  HWY_INLINE M Scatter(M met, const Bsdfs& bsdfs, const LaneFrame& frame,
                        const Points& points, const V3& geometric,
                        State* path) const {
     const F zero = hn::Zero(DF());
     const SobolPoint u = Uniforms(*path, kScatter);
-    const Samples samples = bsdfs.Draw(u);
+    const BsdfSamples samples = bsdfs.Draw(u);
     const V3 direction = ToWorld(frame, samples.wi);
     const F above = Dot(direction, geometric);
     M on = hn::And(met, hn::Or(samples.delta, above > zero));
@@ -212,7 +212,7 @@ HWY_INLINE void Finish(const State& path, M ended, Paths* paths) {
 }
 
 /// Extends the batch's paths; those that go on close up.
-void ExtendAll(const Bounce& bounce, Paths* paths) {
+void ExtendAll(const WideBounce& bounce, Paths* paths) {
   const int lanes = static_cast<int>(hn::Lanes(DF()));
   int kept = 0;
   for (int first = 0; first < paths->count; first += lanes) {
@@ -247,7 +247,8 @@ void TracePathsOn(const WideScene& scene, std::uint64_t seed, int max_depth,
   counts->camera += count;
   counts->on_vectors += count;
   for (int depth = 0; paths->count > 0; ++depth) {
-    const wide::Bounce bounce(scene, seed, depth, depth == max_depth, counts);
+    const wide::WideBounce bounce(scene, seed, depth, depth == max_depth,
+                                  counts);
     wide::ExtendAll(bounce, paths);
   }
 }
