@@ -97,12 +97,8 @@ class BlockedInPart {
   }
 
   RTB_HD bool Take(const Quadric& quadric, const Roots& roots) {
-    for (int k = 0; k < roots.count; ++k) {
-      if (!(roots.t[k] > 0)) continue;
-      if (!(roots.t[k] < ray_.t_max)) return false;
-      return crossing_->Cross(view_, quadric.object);
-    }
-    return false;
+    return FirstBetween(roots, 0, ray_.t_max) < ray_.t_max &&
+           crossing_->Cross(view_, quadric.object);
   }
 
   RTB_HD bool VisitMesh(const MeshUse& use) {

@@ -95,13 +95,10 @@ class ClosestInPart {
 
  private:
   RTB_HD void Take(PrimitiveKind kind, int index, const Roots& roots) {
-    for (int k = 0; k < roots.count; ++k) {
-      if (!(roots.t[k] > 0)) continue;
-      if (!(roots.t[k] < *t_max_)) return;
-      *t_max_ = roots.t[k];
-      *hit_ = {kind, index, roots.t[k], 0, 0, -1};
-      return;
-    }
+    const float t = FirstBetween(roots, 0, *t_max_);
+    if (!(t < *t_max_)) return;
+    *t_max_ = t;
+    *hit_ = {kind, index, t, 0, 0, -1};
   }
 
   RTB_HD void VisitMesh(int index) {

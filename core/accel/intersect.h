@@ -73,10 +73,9 @@ RTB_HD inline void IntersectPlanes(const GeometryView& geometry, const Ray& ray,
   for (int i = 0; i < geometry.plane_count; ++i) {
     const Roots roots =
         IntersectPlane(geometry.planes[i], ray.origin, ray.direction);
-    if (roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max &&
-        roots.t[0] < hit->t) {
-      *hit = {PrimitiveKind::kPlane, i, roots.t[0], 0, 0, -1};
-    }
+    const float far = ray.t_max < hit->t ? ray.t_max : hit->t;
+    const float t = FirstBetween(roots, 0, far);
+    if (t < far) *hit = {PrimitiveKind::kPlane, i, t, 0, 0, -1};
   }
 }
 
@@ -89,8 +88,7 @@ RTB_HD bool BlockedByPlanes(const GeometryView& geometry, const Ray& ray,
   for (int i = 0; i < geometry.plane_count; ++i) {
     const PlaneData& plane = geometry.planes[i];
     const Roots roots = IntersectPlane(plane, ray.origin, ray.direction);
-    const bool crossed =
-        roots.count > 0 && roots.t[0] > 0 && roots.t[0] < ray.t_max;
+    const bool crossed = FirstBetween(roots, 0, ray.t_max) < ray.t_max;
     if (crossed && cross(plane.object)) return true;
   }
   return false;

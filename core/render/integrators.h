@@ -40,9 +40,7 @@ Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
       const auto wide = wanted ? MakeWideScene(tracer.whole_geometry(), shading)
                                : std::nullopt;
       if (wide) {
-        const CameraFrame seen =
-            options.camera.value_or(CameraAt(scene, options.time));
-        return WideRenderer(*wide, seen, plan, options, max_depth)
+        return WideRenderer(*wide, camera, plan, options, max_depth)
             .Render(counts);
       }
     }

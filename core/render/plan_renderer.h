@@ -53,6 +53,29 @@ class MeanOfRays {
   V3d squares_{0};
 };
 
+/// All fragments of a plan, some entries to a task; results do not depend on
+/// how many. `counts` receives the rays traced.
+/// @param render_entries called with (begin, end, fragments) by many threads;
+/// returns the rays that it traced.
+template <class RenderEntries>
+Fragments RenderInTasks(const SamplePlan& plan, const RenderOptions& options,
+                        const RenderEntries& render_entries,
+                        RayCounts* counts) {
+  constexpr int kEntriesPerTask = 64;
+  Fragments fragments(plan);
+  RayCounts all;
+  std::mutex guard;
+  if (options.spp > 1) fragments.variances.resize(plan.samples());
+  ParallelFor(plan.entries(), kEntriesPerTask, options.threads,
+              [&](int begin, int end) {
+                const RayCounts own = render_entries(begin, end, &fragments);
+                const std::lock_guard lock(guard);
+                all += own;
+              });
+  *counts = all;
+  return fragments;
+}
+
 /// Renders the samples of one plan.
 class PlanRenderer {
  public:
@@ -69,25 +92,15 @@ class PlanRenderer {
   template <class MakeIntegrator>
   Fragments Render(const MakeIntegrator& make_integrator,
                    RayCounts* counts) const {
-    Fragments fragments(plan_);
-    RayCounts all;
-    std::mutex guard;
-    if (options_.spp > 1) fragments.variances.resize(plan_.samples());
-    ParallelFor(plan_.entries(), kCellsPerTask, options_.threads,
-                [&](int begin, int end) {
-                  const RayCounts own =
-                      RenderEntries(make_integrator, begin, end, &fragments);
-                  const std::lock_guard lock(guard);
-                  all += own;
-                });
-    *counts = all;
-    return fragments;
+    return RenderInTasks(
+        plan_, options_,
+        [&](int begin, int end, Fragments* fragments) {
+          return RenderEntries(make_integrator, begin, end, fragments);
+        },
+        counts);
   }
 
  private:
-  /// Entries that one task renders; results do not depend on it.
-  static constexpr int kCellsPerTask = 64;
-
   template <class MakeIntegrator>
   RayCounts RenderEntries(const MakeIntegrator& make_integrator, int begin,
                           int end, Fragments* fragments) const {

@@ -1,11 +1,11 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <vector>
 
 #include "core/scene/load.h"
 #include "tests/bench/bench.h"
+#include "tests/scene_files.h"
 
 namespace rtb {
 namespace {
@@ -32,17 +32,6 @@ void Render(benchmark::State& state, const std::string& name) {
                          benchmark::Counter::kIsIterationInvariantRate);
 }
 
-std::vector<std::string> SceneNames() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kScenes)) {
-    if (entry.path().extension() == ".yaml") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 }  // namespace
 
 Result<BenchScene> LoadBenchScene(const std::string& name) {
@@ -53,7 +42,7 @@ Result<BenchScene> LoadBenchScene(const std::string& name) {
 }
 
 void RegisterRenderBenchmarks() {
-  for (const std::string& name : SceneNames()) {
+  for (const std::string& name : testing::SceneNames(kScenes)) {
     benchmark::RegisterBenchmark(
         ("render/" + name).c_str(),
         [name](benchmark::State& state) { Render(state, name); })

@@ -1,9 +1,7 @@
 #include "core/render/wide/wide_renderer.h"
 
 #include <algorithm>
-#include <mutex>
 
-#include "core/base/parallel.h"
 #include "core/math/random.h"
 #include "core/render/wide/eye_rays.h"
 
@@ -37,19 +35,12 @@ EyeSet EyesOf(const SamplePlan& plan, const RenderOptions& options,
 }  // namespace
 
 Fragments WideRenderer::Render(RayCounts* counts) const {
-  Fragments fragments(plan_);
-  RayCounts all;
-  std::mutex guard;
-  if (options_.spp > 1) fragments.variances.resize(plan_.samples());
-  constexpr int kCellsPerTask = 64;
-  ParallelFor(plan_.entries(), kCellsPerTask, options_.threads,
-              [&](int begin, int end) {
-                const RayCounts own = RenderEntries(begin, end, &fragments);
-                const std::lock_guard lock(guard);
-                all += own;
-              });
-  *counts = all;
-  return fragments;
+  return RenderInTasks(
+      plan_, options_,
+      [this](int begin, int end, Fragments* fragments) {
+        return RenderEntries(begin, end, fragments);
+      },
+      counts);
 }
 
 RayCounts WideRenderer::RenderEntries(int begin, int end,

@@ -9,23 +9,13 @@
 
 #include "core/render/backend.h"
 #include "core/scene/load.h"
+#include "tests/scene_files.h"
 
 namespace rtb {
 namespace {
 
 const std::filesystem::path kScenes =
     std::filesystem::path(RTB_TEST_SOURCE_DIR) / "scenes";
-
-std::vector<std::string> SceneNames() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kScenes)) {
-    if (entry.path().extension() == ".yaml") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 /// How two images differ, by the largest channel of each pixel.
 struct Difference {
@@ -74,7 +64,7 @@ TEST_P(BvhBackendTest, GivesEmbreesImage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BvhBackendTest,
-                         ::testing::ValuesIn(SceneNames()),
+                         ::testing::ValuesIn(testing::SceneNames(kScenes)),
                          [](const auto& test) {
                            std::string name = test.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -13,6 +13,7 @@
 #include "core/scene/load.h"
 #include "tests/core/render/measure.h"
 #include "tests/core/scene/mesh_shapes.h"
+#include "tests/scene_files.h"
 
 namespace rtb {
 namespace {
@@ -96,20 +97,11 @@ void ExpectFinite(const Scene& scene, const std::string& what,
   EXPECT_EQ(ready.Values<PathTracer>(depth, per_pixel).bad, 0) << what;
 }
 
-std::vector<std::filesystem::path> ScenesIn(const std::string& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(
-           std::filesystem::path(RTB_TEST_SOURCE_DIR) / folder)) {
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 TEST(IntegratorsTest, FiniteInEveryCommittedScene) {
+  const std::filesystem::path source = RTB_TEST_SOURCE_DIR;
   int scenes = 0;
   for (const char* folder : {"scenes", "tests/data/scenes"}) {
-    for (const auto& file : ScenesIn(folder)) {
+    for (const auto& file : testing::SceneFiles(source / folder)) {
       const Result<Scene> scene = LoadScene(file);
       // every_key names files that are no images: it is there to be read.
       if (!scene || scene->name == "every_key") continue;
