@@ -150,12 +150,12 @@ class Product {
 };
 
 /// One unit for each scene and encoder of `temporal` or `live`.
+/// @param rest of the unit, where these two differ.
 template <class Part>
-void AddMoving(UnitKind kind, const Part& part, double fps, UnitList& units) {
+void AddMoving(const Part& part, const SweepUnit& rest, UnitList& units) {
   for (const SuiteScene& scene : part.scenes) {
     for (const std::string& encoder : part.encoders) {
-      SweepUnit unit;
-      unit.kind = kind;
+      SweepUnit unit = rest;
       unit.configuration.scene = scene.name;
       unit.configuration.grid = part.grid;
       unit.configuration.backend = "embree";
@@ -164,7 +164,6 @@ void AddMoving(UnitKind kind, const Part& part, double fps, UnitList& units) {
       unit.configuration.encoders = {encoder};
       unit.scene_file = scene.file;
       unit.frames = part.frames;
-      unit.fps = fps;
       units.Add(std::move(unit));
     }
   }
@@ -212,9 +211,17 @@ std::vector<SweepUnit> Expand(const Suite& suite) {
     Product(suite, matrix, units).Add();
   }
   if (suite.temporal) {
-    AddMoving(UnitKind::kTemporal, *suite.temporal, suite.temporal->fps, units);
+    SweepUnit unit;
+    unit.kind = UnitKind::kTemporal;
+    unit.configuration.spp = suite.temporal->spp;
+    unit.fps = suite.temporal->fps;
+    AddMoving(*suite.temporal, unit, units);
   }
-  if (suite.live) AddMoving(UnitKind::kLive, *suite.live, 0, units);
+  if (suite.live) {
+    SweepUnit unit;
+    unit.kind = UnitKind::kLive;
+    AddMoving(*suite.live, unit, units);
+  }
   std::vector<SweepUnit> list = units.Take();
   Sort(list);
   return list;

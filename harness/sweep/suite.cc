@@ -6,6 +6,11 @@
 #include "harness/sweep/suite_reader.h"
 
 namespace rtb {
+namespace {
+
+constexpr int kMaxSpp = 65536;
+
+}  // namespace
 
 const std::vector<std::string>& ExcludeKeys() {
   static const std::vector<std::string> keys = {
@@ -79,7 +84,6 @@ void SuiteReader::CheckTopLevel(MapReader& root, Suite& suite) {
 
 void SuiteReader::ReadMatrix(MapReader& map, SuiteMatrix& matrix) {
   constexpr Range kTimes{0, 1e9, "seconds within 0..1e9"};
-  constexpr int kMaxSpp = 65536;
   List(map, "kinds", matrix.kinds, [&](YamlNode n) { return ToKind(n); });
   Scenes(map, matrix.scenes);
   List(map, "times", matrix.times,
@@ -149,6 +153,7 @@ void SuiteReader::ReadTemporal(MapReader& root, Suite& suite) {
   map->Require("encoders");
   Encoders(*map, temporal.encoders);
   Grid(*map, temporal.grid);
+  temporal.spp = map->Integer("spp", 1, kMaxSpp, temporal.spp);
   temporal.frames =
       map->Integer("frames", kLeastFrames, 100000, temporal.frames);
   temporal.fps = map->Number("fps", kRates, temporal.fps);

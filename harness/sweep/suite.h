@@ -52,6 +52,7 @@ struct TemporalSuite {
   std::vector<SuiteScene> scenes;
   std::vector<std::string> encoders;
   GridSize grid{120, 40};
+  int spp = 1;
   int frames = 24;
   double fps = 24;
 };

@@ -115,5 +115,18 @@ TEST(ExpandTest, MovingScenesGiveOneUnitAnEncoder) {
                           "temporal sky 12x4 half:temporal=3"));
 }
 
+TEST(ExpandTest, TemporalUnitsTakeTheirRaysAndFrames) {
+  const SuiteFolder suites;
+  const auto units =
+      Expand(suites
+                 .Parse("temporal: {scenes: [sky], encoders: [half], spp: 4, "
+                        "frames: 30, fps: 12}\n")
+                 .value());
+  ASSERT_EQ(units.size(), 1U);
+  EXPECT_EQ(units.front().configuration.spp, 4);
+  EXPECT_EQ(units.front().frames, 30);
+  EXPECT_EQ(units.front().fps, 12);
+}
+
 }  // namespace
 }  // namespace rtb
