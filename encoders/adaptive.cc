@@ -25,6 +25,10 @@ namespace {
 
 constexpr int kGrain = 16;
 
+/// Each place of the raster is the mean of three samples, drawn towards that of
+/// many where there is noise: a little over a third of their variance.
+constexpr double kRebuiltNoise = 0.6;
+
 const EncoderParameter& RaysParameter() {
   static const EncoderParameter parameter{
       "rays", "8", "number in 1..64",
@@ -73,7 +77,7 @@ class Adaptive : public Encoder {
     encoding.rays_per_cell =
         static_cast<double>(samples.all().size()) / grid.cells();
     encoding.evidence =
-        EvidenceOf(raster, grid, cell_aspect, encoding.rays_per_cell);
+        EvidenceOf(raster, samples, cell_aspect, encoding.rays_per_cell);
     encoding.grid = Choose(encoding.evidence.rounds[0].fragments, context);
     return encoding;
   }
@@ -121,18 +125,26 @@ class Adaptive : public Encoder {
     return samples;
   }
 
-  /// The raster in 8 bits, as if every sub-pixel had been sampled.
-  Evidence EvidenceOf(const RebuiltRaster& raster, GridSize grid,
+  /// The raster in 8 bits, as if every sub-pixel had been sampled, with as much
+  /// noise as the samples of its cell.
+  Evidence EvidenceOf(const RebuiltRaster& raster, const SeenSamples& samples,
                       double cell_aspect, double rays_per_cell) const {
     SampleRound round;
-    round.plan = RegularPlan(grid, raster.width, raster.height, cell_aspect);
+    round.plan =
+        RegularPlan(samples.grid(), raster.width, raster.height, cell_aspect);
     round.fragments = Fragments(round.plan);
     std::ranges::transform(
         raster.encoded, round.fragments.values.begin(),
         [](const Rgb& color) { return Decode8(QuantizeEncoded(color)); });
+    for (int cell = 0; cell < samples.grid().cells(); ++cell) {
+      round.fragments.variances.insert(round.fragments.variances.end(),
+                                       raster.cell(cell).size(),
+                                       samples.variance(cell));
+    }
     Evidence evidence;
     evidence.weight =
         std::min(1.0, rays_per_cell / round.plan.samples_per_cell);
+    evidence.noise = kRebuiltNoise;
     evidence.rounds.push_back(std::move(round));
     return evidence;
   }

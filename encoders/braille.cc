@@ -8,7 +8,7 @@ namespace rtb {
 namespace {
 
 Result<std::unique_ptr<Encoder>> Make(const EncoderParameters& given) {
-  return MakeMosaic({4, BrailleGlyph}, given);
+  return MakeMosaic({4, BrailleGlyph, OctantGlyph}, given);
 }
 
 }  // namespace

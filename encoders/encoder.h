@@ -74,6 +74,10 @@ class Encoder {
   /// The code points that it may choose. Empty: those that it chose are all
   /// that is known (another program's).
   virtual std::vector<char32_t> Candidates() const { return {}; }
+
+  /// The glyph whose coverage stood for that of a candidate when it was chosen:
+  /// itself, unless the encoder takes it for something else.
+  virtual char32_t ChosenAs(char32_t glyph) const { return glyph; }
 };
 
 }  // namespace rtb

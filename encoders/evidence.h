@@ -23,6 +23,9 @@ struct Evidence {
   /// Samples really traced for each of these values: 1, or less where an
   /// encoder interpolated the values from fewer samples.
   double weight = 1;
+  /// Standard deviation of the noise of these values over that of a sample: 1,
+  /// or less where an encoder averaged samples.
+  double noise = 1;
 };
 
 /// One sample of a cell.

@@ -1,5 +1,6 @@
 #include "encoders/mosaic.h"
 
+#include <unordered_map>
 #include <vector>
 
 #include "encoders/encode_partitions.h"
@@ -15,10 +16,20 @@ class Mosaic : public PlanEncoder {
   Mosaic(const MosaicKind& kind, Blend blend)
       : rows_(kind.rows), blend_(blend) {
     const unsigned patterns = 1u << (kColumns * rows_);
-    for (unsigned i = 0; i < patterns; ++i) glyphs_.push_back(kind.glyph(i));
+    for (unsigned i = 0; i < patterns; ++i) {
+      glyphs_.push_back(kind.glyph(i));
+      if (kind.filling != nullptr) {
+        filling_.emplace(kind.glyph(i), kind.filling(i));
+      }
+    }
   }
 
   std::vector<char32_t> Candidates() const override { return glyphs_; }
+
+  char32_t ChosenAs(char32_t glyph) const override {
+    const auto found = filling_.find(glyph);
+    return found == filling_.end() ? glyph : found->second;
+  }
 
   SamplePlan Plan(GridSize grid, double cell_aspect,
                   std::uint64_t /*seed*/) const override {
@@ -34,6 +45,7 @@ class Mosaic : public PlanEncoder {
   int rows_;
   Blend blend_;
   std::vector<char32_t> glyphs_;  ///< Of each pattern.
+  std::unordered_map<char32_t, char32_t> filling_;
 };
 
 }  // namespace

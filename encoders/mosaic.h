@@ -11,6 +11,8 @@ namespace rtb {
 struct MosaicKind {
   int rows;                     ///< Of samples; there are 2 columns.
   char32_t (*glyph)(unsigned);  ///< For a pattern (glyphs/patterns.h).
+  /// What fills all of the pattern's sub-cells, where `glyph` does not.
+  char32_t (*filling)(unsigned) = nullptr;
 };
 
 /// Makes an encoder that takes, of all two-way partitions of the samples, the

@@ -23,8 +23,12 @@ void SeenSamples::Add(const SamplePlan& plan, const Fragments& fragments) {
   std::size_t value = 0;
   for (int entry = 0; entry < plan.entries(); ++entry) {
     const int cell = plan.cell(entry);
-    counts_[static_cast<std::size_t>(cell)] += plan.samples_per_cell;
+    const auto place = static_cast<std::size_t>(cell);
+    counts_[place] += plan.samples_per_cell;
     for (int i = 0; i < plan.samples_per_cell; ++i, ++value) {
+      if (!fragments.variances.empty()) {
+        variances_[place] += fragments.variances[value];
+      }
       samples_.push_back({cell, plan.position(entry, i),
                           Clip(fragments.values[value]), encoded[value]});
     }

@@ -32,7 +32,9 @@ struct SeenSample {
 class SeenSamples {
  public:
   explicit SeenSamples(GridSize grid)
-      : grid_(grid), counts_(static_cast<std::size_t>(grid.cells())) {}
+      : grid_(grid),
+        counts_(static_cast<std::size_t>(grid.cells())),
+        variances_(counts_.size()) {}
 
   /// Adds all answers to a plan.
   void Add(const SamplePlan& plan, const Fragments& fragments);
@@ -41,11 +43,19 @@ class SeenSamples {
   std::span<const SeenSample> all() const { return samples_; }
   /// Samples of one cell so far.
   int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
+  /// Variance of the noise of one sample of a cell, as Fragments::variances:
+  /// the mean of those known. 0 where none is.
+  float variance(int cell) const {
+    return count(cell) == 0 ? 0
+                            : variances_[static_cast<std::size_t>(cell)] /
+                                  static_cast<float>(count(cell));
+  }
 
  private:
   GridSize grid_;
   std::vector<SeenSample> samples_;
   std::vector<int> counts_;
+  std::vector<float> variances_;  ///< Summed, by cell.
 };
 
 }  // namespace rtb

@@ -37,8 +37,9 @@ CellJudge::CellJudge(const JudgeOptions& options, const SamplesByCell& samples,
 
 double CellJudge::Noise(int index) const {
   const Modifiers& modifiers = options_.modifiers;
-  return modifiers.sigma ? *modifiers.sigma
-                         : NoiseOf(modifiers.blend, samples_.cell(index));
+  return options_.noise *
+         (modifiers.sigma ? *modifiers.sigma
+                          : NoiseOf(modifiers.blend, samples_.cell(index)));
 }
 
 V3d CellJudge::MeanShown(int index, const Cell& cell) const {
@@ -75,9 +76,7 @@ Cell CellJudge::Choose(int index, const Cell& cell, const Cell* last,
   const FitMask& mask = masks_.Of(cell.glyph, index, storage);
   const Cell colored = Recolor(cell, mask, samples);
   if (last == nullptr) return colored;
-  const StabilityTest test{options_.modifiers.temporal,
-                           options_.modifiers.sigma ? *options_.modifiers.sigma
-                                                    : NoiseOf(blend, seen),
+  const StabilityTest test{options_.modifiers.temporal, Noise(index),
                            options_.partitions};
   const FitMask& last_mask = masks_.Of(last->glyph, index, last_storage);
   return KeepOrReplace(

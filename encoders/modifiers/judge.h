@@ -19,6 +19,7 @@ struct JudgeOptions {
   Modifiers modifiers;
   ColorDepth depth = ColorDepth::kTruecolor;
   double weight = 1;      ///< Evidence::weight.
+  double noise = 1;       ///< Evidence::noise.
   double partitions = 1;  ///< Masks, complements apart, that may be chosen.
 };
 
@@ -39,7 +40,7 @@ class CellJudge {
   MeanChange ChangeOf(int index, const Cell& cell, const Cell& last) const;
 
  private:
-  /// Standard deviation of the noise of one sample of a cell.
+  /// Standard deviation of the noise of one value of a cell's evidence.
   double Noise(int index) const;
   V3d MeanShown(int index, const Cell& cell) const;
   Cell Refit(const Cell& cell, const FitMask& mask,

@@ -1,5 +1,6 @@
 // The encoder around an encoder.
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -33,6 +34,10 @@ class Modified : public Encoder {
 
   std::vector<char32_t> Candidates() const override {
     return encoder_->Candidates();
+  }
+  char32_t ChosenAs(char32_t glyph) const override {
+    // A font's coverage is asked for by name.
+    return modifiers_.atlas ? glyph : encoder_->ChosenAs(glyph);
   }
 
   Result<Encoding> Run(FragmentSource& source, GridSize grid,
@@ -97,19 +102,22 @@ class Modified : public Encoder {
   Status JudgeCells(const EncodeContext& context, const CellGrid* last,
                     Encoding& encoding) const {
     const SamplesByCell samples(encoding.evidence);
-    std::set<char32_t> glyphs;
-    for (const Cell& cell : encoding.grid.cells) glyphs.insert(cell.glyph);
-    if (last != nullptr) {
-      for (const Cell& cell : last->cells) glyphs.insert(cell.glyph);
-    }
+    std::map<char32_t, char32_t> glyphs;
+    const auto add = [&](const CellGrid& grid) {
+      for (const Cell& cell : grid.cells) {
+        glyphs.emplace(cell.glyph, ChosenAs(cell.glyph));
+      }
+    };
+    add(encoding.grid);
+    if (last != nullptr) add(*last);
     RTB_ASSIGN_OR_RETURN(const SampledMasks masks,
                          SampledMasks::Make(encoding.evidence, samples, glyphs,
                                             modifiers_.atlas));
     RTB_ASSIGN_OR_RETURN(const double partitions,
                          Partitions(encoding.grid, context.depth));
-    const CellJudge judge(
-        {modifiers_, context.depth, encoding.evidence.weight, partitions},
-        samples, masks);
+    const CellJudge judge({modifiers_, context.depth, encoding.evidence.weight,
+                           encoding.evidence.noise, partitions},
+                          samples, masks);
     const std::vector<bool> drifted = DriftOf(judge, encoding.grid, last);
     ParallelFor(encoding.grid.size.cells(), kGrain, context.threads,
                 [&](int begin, int end) {

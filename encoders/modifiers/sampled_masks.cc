@@ -55,15 +55,15 @@ bool AllCellsAlike(const Evidence& evidence) {
 
 Result<SampledMasks> SampledMasks::Make(
     const Evidence& evidence, const SamplesByCell& samples,
-    const std::set<char32_t>& glyphs,
+    const std::map<char32_t, char32_t>& glyphs,
     const std::optional<std::filesystem::path>& font) {
   SampledMasks masks(samples);
   masks.shared_ = AllCellsAlike(evidence);
   GlyphSet set(kFineWidth, kFineHeight,
                font ? MaskSource::kFont : MaskSource::kGeometric,
                font.value_or(std::filesystem::path()));
-  for (const char32_t glyph : glyphs) {
-    RTB_ASSIGN_OR_RETURN(const Mask* const mask, set.Get(glyph));
+  for (const auto& [glyph, covering] : glyphs) {
+    RTB_ASSIGN_OR_RETURN(const Mask* const mask, set.Get(covering));
     masks.fine_.emplace(glyph, *mask);
     if (masks.shared_) masks.masks_.emplace(glyph, masks.Build(glyph, 0));
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
+#include <map>
 #include <unordered_map>
 
 #include "encoders/evidence.h"
@@ -16,11 +16,11 @@ namespace rtb {
 class SampledMasks {
  public:
   /// @param samples of the evidence; must outlive the masks.
-  /// @param glyphs all that will be asked for.
+  /// @param glyphs all that will be asked for, and whose coverage is theirs.
   /// @param font none: geometric masks.
   static Result<SampledMasks> Make(
       const Evidence& evidence, const SamplesByCell& samples,
-      const std::set<char32_t>& glyphs,
+      const std::map<char32_t, char32_t>& glyphs,
       const std::optional<std::filesystem::path>& font);
 
   /// The mask of a glyph over the samples of one cell, in their order.

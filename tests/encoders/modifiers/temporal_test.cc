@@ -144,6 +144,40 @@ TEST_P(EveryStableEncoder, KeepsCellsThatDifferByNoise) {
   EXPECT_GT(Compare(first, EncodeAfter(GetParam(), again, nullptr)).cells, 0.5);
 }
 
+/// Answers with a variance for every sample, as several rays a sample do.
+class KnownNoise : public PictureSource {
+ public:
+  KnownNoise(Picture picture, double sigma)
+      : PictureSource(std::move(picture)), sigma_(sigma) {}
+
+  Result<Fragments> Query(const SamplePlan& plan) override {
+    RTB_ASSIGN_OR_RETURN(Fragments fragments, PictureSource::Query(plan));
+    for (const Rgb& value : fragments.values) {
+      const float gray = (value.x + value.y + value.z) / 3;
+      const double slope = SrgbEncode(std::min(gray, 0.999f) + 1e-3f) / 1e-3 -
+                           SrgbEncode(std::min(gray, 0.999f)) / 1e-3;
+      fragments.variances.push_back(
+          static_cast<float>(std::pow(sigma_ / slope, 2)));
+    }
+    return fragments;
+  }
+
+ private:
+  double sigma_;
+};
+
+// Without `sigma`, the renderer says how large the noise is.
+TEST_P(EveryStableEncoder, TakesTheNoiseFromTheRenderer) {
+  const std::string spec = std::string(GetParam()) + ":temporal=3";
+  const CellGrid first = EncodeAfter(GetParam(), NoisyDisk(kSigma, 1), nullptr);
+  EncodeContext context;
+  context.previous = &first;
+  KnownNoise source(NoisyDisk(kSigma, 2), kSigma);
+  const auto second = Make(spec)->Run(source, kGrid, 0.5, context);
+  ASSERT_TRUE(second);
+  EXPECT_LT(Compare(first, second->grid).cells, 0.06);
+}
+
 // At most 0.1 dB behind the same encoder without memory: a factor of 1.0233.
 TEST_P(EveryStableEncoder, LosesNoQuality) {
   const CellGrid first = EncodeAfter(Stable(), NoisyDisk(kSigma, 1), nullptr);
@@ -174,7 +208,8 @@ TEST_P(EveryStableEncoder, FollowsAPan) {
 INSTANTIATE_TEST_SUITE_P(
     , EveryStableEncoder,
     testing::Values("half", "quadrant", "quadrant:split=best", "search", "tiv",
-                    "sextant", "octant", "optimal:mask=4x8"),
+                    "sextant", "octant", "braille", "optimal:mask=4x8",
+                    "adaptive"),
     [](const auto& test) {
       std::string name = test.param;
       std::ranges::replace_if(
