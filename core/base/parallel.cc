@@ -8,6 +8,8 @@
 #include <xmmintrin.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 #include "core/base/check.h"
 
@@ -28,6 +30,29 @@ class FlushDenormals {
 
  private:
   unsigned saved_;
+};
+
+/// An arena that a thread keeps: made anew for every loop, its workers would
+/// have to be called together each time.
+class OwnArena {
+ public:
+  void Run(int threads, const std::function<void()>& work) {
+    if (busy_) {  // A loop within a loop must not take up the outer one's work.
+      tbb::task_arena(threads).execute(work);
+      return;
+    }
+    if (!arena_ || threads_ != threads) arena_.emplace(threads);
+    threads_ = threads;
+    busy_ = true;
+    const std::unique_ptr<bool, void (*)(bool*)> free(
+        &busy_, [](bool* busy) { *busy = false; });
+    arena_->execute(work);
+  }
+
+ private:
+  std::optional<tbb::task_arena> arena_;
+  int threads_ = 0;
+  bool busy_ = false;
 };
 
 }  // namespace
@@ -55,8 +80,8 @@ void RunBounded(int threads, const std::function<void()>& work) {
   // process-wide limit this way. Asking for more threads than there are cores
   // would make TBB print a warning.
   const int cores = tbb::info::default_concurrency();
-  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
-  arena.execute(work);
+  thread_local OwnArena arena;
+  arena.Run(threads > 0 ? std::min(threads, cores) : cores, work);
 }
 
 }  // namespace rtb

@@ -65,6 +65,43 @@ TEST(ParallelFor, StaysWithinTheNumberOfThreads) {
   EXPECT_LE(seen.size(), 2u);
 }
 
+// Each of 20 x 30 once, on threads that keep what they run loops with.
+TEST(ParallelFor, LoopsWithinLoopsAndBesideThemAreWhole) {
+  std::vector<std::atomic<int>> visits(20 * 30);
+  const auto visit = [&](int threads) {
+    ParallelFor(20, 1, threads, [&](int row, int) {
+      ParallelFor(30, 4, threads, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+          ++visits[static_cast<std::size_t>(row * 30 + i)];
+        }
+      });
+    });
+  };
+  std::vector<std::thread> callers;
+  for (int i = 0; i < 4; ++i) {
+    callers.emplace_back([&, i] {
+      for (int round = 0; round < 25; ++round) visit(i % 2 * 2);
+    });
+  }
+  for (std::thread& caller : callers) caller.join();
+  for (const auto& count : visits) EXPECT_EQ(count, 100);
+}
+
+// The bound of each call counts, not that of the first.
+TEST(ParallelFor, AnotherBoundHoldsAtOnce) {
+  for (const int threads : {0, 1, 0, 1, 2}) {
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    ParallelFor(300, 1, threads, [&](int, int) {
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    if (threads > 0) {
+      EXPECT_LE(seen.size(), static_cast<std::size_t>(threads));
+    }
+  }
+}
+
 TEST(ParallelFor, FlushesDenormalsInsideOnly) {
   const unsigned before = _mm_getcsr();
   for (const int threads : {1, 2}) {
