@@ -36,8 +36,9 @@ V2f Jittered(int slot, float jitter, int cell, int number, std::uint64_t seed) {
 void ChooseInCell(const VoronoiMap& map, int cell, int seen, int most,
                   float least, std::uint64_t seed,
                   std::vector<RayChoice>& out) {
-  SlotGains gains(map.Slots(cell), map.cell_width());
-  for (int i = 0; i < std::min(most, kMostPerCell - seen); ++i) {
+  SlotGains gains(map, cell);
+  const int last = std::min(most, kMostPerCell - seen) - 1;
+  for (int i = 0; i <= last; ++i) {
     const int slot = gains.Best();
     const float gain = gains.gain(slot);
     if (gain < least) return;
@@ -45,7 +46,7 @@ void ChooseInCell(const VoronoiMap& map, int cell, int seen, int most,
         slot, gains.empty(slot) ? kFirstJitter : kJitter, cell, seen + i, seed);
     const float reach = kReach * gains.distance(slot) + kLeastReach;
     out.push_back({cell, position, gain, std::min(reach, kCellHeight)});
-    gains.Expect(slot, position);
+    if (i < last) gains.Expect(slot, position);
   }
 }
 

@@ -27,20 +27,6 @@ std::pair<std::size_t, std::size_t> OfRows(std::span<const SeenSample> samples,
   return {at(first), at(last + 1)};
 }
 
-/// Squared distances of colors in a row of slots.
-struct ColorRow {
-  const float* r;
-  const float* g;
-  const float* b;
-
-  float Apart(std::ptrdiff_t i, std::ptrdiff_t j) const {
-    const float dr = r[i] - r[j];
-    const float dg = g[i] - g[j];
-    const float db = b[i] - b[j];
-    return dr * dr + dg * dg + db * db;
-  }
-};
-
 }  // namespace
 
 VoronoiMap::VoronoiMap(GridSize grid, double cell_aspect, Priority priority)
@@ -49,7 +35,8 @@ VoronoiMap::VoronoiMap(GridSize grid, double cell_aspect, Priority priority)
       cell_width_(CellWidth(cell_aspect)),
       pitch_x_(cell_width_ / kSlotColumns),
       pitch_y_(kCellHeight / kSlotRows),
-      stride_(static_cast<std::size_t>(grid.columns * kSlotColumns + 2)),
+      stride_(static_cast<std::size_t>(grid.columns * kSlotColumns + 2) +
+              kSlotRoom),
       best_gains_(static_cast<std::size_t>(grid.cells())),
       changed_(best_gains_.size()) {
   const std::size_t slots =
@@ -107,28 +94,18 @@ void VoronoiMap::InsertIntoRow(int row, std::span<const SeenSample> samples,
   }
 }
 
+SlotRows VoronoiMap::RowsFrom(int left, int top, int columns, int rows) {
+  const std::size_t at = Index(left, top);
+  return {stride_,        columns,        rows,          &distance2_[at],
+          &color_[0][at], &color_[1][at], &color_[2][at]};
+}
+
 void VoronoiMap::Enter(const SeenSample& sample, const V2f& at,
                        const Window& window) {
-  const Rgb color = sample.encoded;
-  const int count = window.right - window.left + 1;
-  const float first = static_cast<float>(window.left) + 0.5f - at.x;
-  for (int y = window.top; y <= window.bottom; ++y) {
-    const float dy = (static_cast<float>(y) + 0.5f - at.y) * pitch_y_;
-    const std::size_t row = Index(window.left, y);
-    float* const d = &distance2_[row];
-    float* const r = &color_[0][row];
-    float* const g = &color_[1][row];
-    float* const b = &color_[2][row];
-    for (int i = 0; i < count; ++i) {
-      const float dx = (first + static_cast<float>(i)) * pitch_x_;
-      const float distance2 = dx * dx + dy * dy;
-      const bool nearer = distance2 < d[i];
-      d[i] = nearer ? distance2 : d[i];
-      r[i] = nearer ? color.x : r[i];
-      g[i] = nearer ? color.y : g[i];
-      b[i] = nearer ? color.z : b[i];
-    }
-  }
+  EnterSample(
+      {at, V2f(pitch_x_, pitch_y_), sample.encoded, window.left, window.top},
+      RowsFrom(window.left, window.top, window.right - window.left + 1,
+               window.bottom - window.top + 1));
 }
 
 void VoronoiMap::RepeatBorder() {
@@ -170,30 +147,14 @@ void VoronoiMap::CompareRow(int row) {
 }
 
 void VoronoiMap::Compare(int row, int begin, int end) {
-  const auto stride = static_cast<std::ptrdiff_t>(stride_);
-  const auto count = static_cast<std::size_t>((end - begin) * kSlotColumns);
-  std::vector<float> best(count);
-  for (int y = row * kSlotRows; y < (row + 1) * kSlotRows; ++y) {
-    const std::size_t at = Index(begin * kSlotColumns, y);
-    const ColorRow color = {&color_[0][at], &color_[1][at], &color_[2][at]};
-    float* const contrast = &contrast_[at];
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto i = static_cast<std::ptrdiff_t>(k);
-      contrast[k] = std::max(color.Apart(i - 1, i + 1),
-                             color.Apart(i - stride, i + stride)) +
-                    kLeastContrast;
-    }
-    if (priority_ == Priority::kRoot) {
-      for (std::size_t k = 0; k < count; ++k) {
-        contrast[k] = std::sqrt(contrast[k]);
-      }
-    }
-    const float* const distance2 = &distance2_[at];
-    const float* const extent = &extent_[at];
-    for (std::size_t k = 0; k < count; ++k) {
-      best[k] = std::max(best[k], Gain(contrast[k], distance2[k], extent[k]));
-    }
-  }
+  const int left = begin * kSlotColumns;
+  const int top = row * kSlotRows;
+  const int count = (end - begin) * kSlotColumns;
+  std::vector<float> best(static_cast<std::size_t>(count) + kSlotRoom);
+  const std::size_t first = Index(left, top);
+  CompareSlots(RowsFrom(left, top, count, kSlotRows), kLeastContrast,
+               priority_ == Priority::kRoot,
+               {&extent_[first], &contrast_[first], best.data()});
   for (int cell = begin; cell < end; ++cell) {
     const auto at = static_cast<std::size_t>((cell - begin) * kSlotColumns);
     best_gains_[static_cast<std::size_t>(row * grid_.columns + cell)] =

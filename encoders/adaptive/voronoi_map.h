@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "encoders/adaptive/slots.h"
+#include "encoders/adaptive/slot_kernels.h"
 
 namespace rtb {
 
@@ -49,6 +49,8 @@ class VoronoiMap {
   void InsertIntoRow(int row, std::span<const SeenSample> samples,
                      std::span<const float> reaches);
   void Enter(const SeenSample& sample, const V2f& at, const Window& window);
+  /// The slots from (left, top) on.
+  SlotRows RowsFrom(int left, int top, int columns, int rows);
   void RepeatBorder();
   bool ChangedAround(int cell) const;
   void CompareRow(int row);
@@ -66,7 +68,8 @@ class VoronoiMap {
   float pitch_x_;  ///< From slot to slot.
   float pitch_y_;
   std::size_t stride_;
-  /// Of each slot, with a border all around in which colors are repeated.
+  /// Of each slot, with a border all around in which colors are repeated, and
+  /// kSlotRoom floats after each row.
   std::vector<float> distance2_;
   std::array<std::vector<float>, 3> color_;
   std::vector<float> contrast_;
