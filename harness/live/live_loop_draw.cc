@@ -31,7 +31,9 @@ float Patience(int passes) {
 }  // namespace
 
 bool LiveLoop::Leftovers() const {
-  return frame_ && !diff_.exact() && !PictureWanted();
+  // While another picture is under way, that one will say what is left.
+  return frame_ && !diff_.exact() && !PictureWanted() &&
+         SamePicture(frame_->request.view, state_.view());
 }
 
 bool LiveLoop::MayDraw() {

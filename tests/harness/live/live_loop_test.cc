@@ -77,6 +77,35 @@ TEST_F(LiveLoopTest, TheTerminalShowsWhatTheLoopHasDrawn) {
   EXPECT_EQ(Canonical(Shown()), Canonical(loop.screen()));
 }
 
+/// Draws as another one does, and counts.
+class CountingPresenter : public Presenter {
+ public:
+  explicit CountingPresenter(Presenter& other) : other_(other) {}
+  const char* name() const override { return other_.name(); }
+  Result<std::string> Draw(const ScreenUpdate& update) override {
+    ++draws_;
+    return other_.Draw(update);
+  }
+  int draws() const { return draws_; }
+
+ private:
+  Presenter& other_;
+  int draws_ = 0;
+};
+
+// While the next picture is rendered nothing is drawn: what was left of the
+// last one would be drawn over and over, by a core that the rendering lacks.
+TEST_F(LiveLoopTest, DrawsEachMovingPictureOnce) {
+  CountingPresenter counting(*presenter_);
+  terminal_.presenter = &counting;
+  options_.frames = 12;
+  LiveLoop loop = Make();
+  loop.state().modes().orbit = true;
+  loop.state().modes().orbit_reach = 0.02;  // Little changes: much is left.
+  ASSERT_EQ(loop.Run(), 0);
+  EXPECT_EQ(counting.draws(), 12);
+}
+
 TEST_F(LiveLoopTest, ARecordingReplaysToTheSameScreen) {
   const TempFolder folder;
   const std::string file = folder / "a.cast";
