@@ -73,8 +73,11 @@ class Study:
                 "raster": "{}x{}".format(*self.view.raster),
                 "setting": self.view.slug()}
 
-    def caption(self, lead, scenes, runs=None):
-        """`lead`, what was measured how, n, machine and commit."""
+    def caption(self, lead, scenes, runs=None, with_times=False):
+        """`lead`, what was measured how, n, machine and commit.
+
+        with_times: the records of the times have a part in it too.
+        """
         runs = self.runs if runs is None else runs
         seeds = {}
         times = {}
@@ -87,6 +90,8 @@ class Study:
             several += (" Of a scene's times those that all its encoders have, "
                         "averaged first.")
         records = [run.record for run in runs]
+        if with_times:
+            records += [run.record for run in self.timed]
         return (f"{lead} n = {count(scenes, 'scene')}; "
                 f"{self.view.setting.label()}; {self.flip_words()}; "
                 f"references: {provenance.references(self.runs)}; "

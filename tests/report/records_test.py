@@ -90,6 +90,14 @@ class RecordsTest(ReportTest):
                       "1 ray a sample"):
             self.assertIn(words, caption)
 
+    def test_captions_of_times_name_their_commit_too(self):
+        Suite(self.folder).quality("a", "half", 0.1)
+        Suite(self.folder, commit="f" * 40, count=10).timing(
+            "a", {"half": {"render": [1.0, 1.0]}})
+        one = study.studies(self.load())[0]
+        self.assertNotIn("ffffffffff", one.caption("Lead.", 1))
+        self.assertIn("ffffffffff", one.caption("Lead.", 1, with_times=True))
+
     def test_mixed_origins_are_warned_of(self):
         Suite(self.folder).quality("a", "half", 0.1)
         self.assertEqual(provenance.warnings(self.load()), [])

@@ -65,7 +65,7 @@ def scale_errors(axes):
     style.plain_log(axes.yaxis)
 
 
-def tradeoff(study, cost, name, axis, title):
+def tradeoff(study, cost, name, axis, title, with_times=False):
     """Mean FLIP over scenes against the geometric mean of a cost."""
     from matplotlib import pyplot
     # Times may have been taken on some of the scenes alone.
@@ -96,7 +96,8 @@ def tradeoff(study, cost, name, axis, title):
     lead = (f"Mean FLIP over scenes against {axis[0].lower()}{axis[1:]}; "
             f"lower left is better. {FRONT}{BARS}Diamonds: the controls.")
     return Plot(study.name(name), study.title(title),
-                study.caption(lead, len(figures.scenes)), figure)
+                study.caption(lead, len(figures.scenes),
+                              with_times=with_times), figure)
 
 
 def flip_axis(study, words):
@@ -112,7 +113,7 @@ def rays(study):
 def time(study):
     return tradeoff(study, study.ms, "error-time",
                     "Milliseconds a frame (geometric mean of medians)",
-                    "Error against time")
+                    "Error against time", with_times=True)
 
 
 def bytes_(study):
@@ -126,7 +127,8 @@ def grid_of(count):
     return math.ceil(count / columns), columns
 
 
-def small_multiples(study, name, title, axis, lead, cost, bar):
+def small_multiples(study, name, title, axis, lead, cost, bar,
+                    with_times=False):
     """One panel a scene; cost(encoder, scene) and its bar."""
     from matplotlib import pyplot
     figures = study.flip
@@ -152,7 +154,8 @@ def small_multiples(study, name, title, axis, lead, cost, bar):
     for panel, found in zip(panels.flat, drawn):
         label_scene(panel, study, *found)
     return Plot(study.name(name), study.title(title),
-                study.caption(lead, len(figures.scenes)), figure)
+                study.caption(lead, len(figures.scenes),
+                              with_times=with_times), figure)
 
 
 def draw_scene(panel, figures, scene, cost, bar):
@@ -210,4 +213,4 @@ def time_by_scene(study):
         "Milliseconds a frame", "FLIP of each encoder on each scene against "
         "the median time of a frame with its 95 % bootstrap interval. "
         f"{LABELED}", study.ms.get,
-        lambda e, s: intervals.get((e, s)))
+        lambda e, s: intervals.get((e, s)), with_times=True)

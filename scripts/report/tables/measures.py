@@ -47,7 +47,8 @@ def ratios(study):
             "95 % BCa bootstrap intervals and sign-flip p values, all on "
             "logarithms; below 1 is better. The p values are not adjusted: "
             "FLIP alone is tested, these describe. The figures by scene "
-            "stand in tables of their own.", len(study.flip.scenes)),
+            "stand in tables of their own.", len(study.flip.scenes),
+            with_times=True),
         columns)
     for name, figures in (("MSE", study.metric("mse")), ("time", study.ms),
                           ("bytes", study.bytes)):

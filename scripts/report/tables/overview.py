@@ -15,7 +15,7 @@ def overview(study):
             "first: rays a cell, milliseconds a frame (geometric mean of "
             "medians), FLIP, and its paired differences to the controls with "
             "95 % BCa intervals (negative is better); p after Holm over the "
-            f"{len(pairs)} pairs.", len(figures.scenes)),
+            f"{len(pairs)} pairs.", len(figures.scenes), with_times=True),
         [Column("encoder", left=True), Column("rays"), Column("ms"),
          Column("FLIP")], stated=study.stated("FLIP"))
     controls = [c for c in matrix.CONTROLS if c in figures.encoders]
