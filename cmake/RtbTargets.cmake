@@ -33,7 +33,7 @@ endfunction()
 
 function(rtb_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cc)
-  list(FILTER sources EXCLUDE REGEX "/main\\.cc$")
+  list(FILTER sources EXCLUDE REGEX "/main\\.cc$|/cuda/[^/]*$")
   add_library(${name} STATIC ${sources})
   rtb_link(${name})
 endfunction()

@@ -22,11 +22,6 @@ V3d FromLinear(Blend blend, const Rgb& linear) {
   return blend == Blend::kLinear ? clipped : LinearToOklab(clipped);
 }
 
-std::uint8_t RoundHalfUp(double encoded) {
-  const double code = std::floor((encoded + kNoise) * 255 + 0.5);
-  return static_cast<std::uint8_t>(std::clamp(code, 0.0, 255.0));
-}
-
 }  // namespace
 
 const EncoderParameter& BlendParameter() {

@@ -7,17 +7,13 @@
 #include "core/color/srgb.h"
 #include "core/math/vec.h"
 #include "encoders/parameters.h"
+#include "encoders/sample_mask.h"
 
 namespace rtb {
 
 /// `srgb` is the space of the programs and papers that the encoders come
 /// from; the others are there to be compared.
 enum class Blend { kSrgb, kLinear, kOklab };
-
-/// Differences below this (of values in 0..1) are noise of single precision,
-/// such as codes pick up on their way to linear light and back; they decide
-/// no tie and no rounding. It is 1/10000 of an 8-bit code.
-inline constexpr double kNoise = 1e-4 / 255;
 
 /// The parameter `blend=srgb|linear|oklab`, for EncoderInfo.
 const EncoderParameter& BlendParameter();

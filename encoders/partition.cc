@@ -5,15 +5,12 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/color/hsp.h"
+#include "encoders/partition_cell.h"
 
 namespace rtb {
 namespace {
 
-constexpr std::size_t kMaxSamples = 8;
-
-/// Sums and differences of steps.
-using WideSteps = Imath::Vec3<std::int64_t>;
+constexpr std::size_t kMaxSamples = kMaxPartitionSamples;
 
 V3d SumOf(std::span<const V3d> samples, SampleMask mask) {
   V3d sum(0);
@@ -21,10 +18,6 @@ V3d SumOf(std::span<const V3d> samples, SampleMask mask) {
     if ((mask >> i & 1) != 0) sum += samples[i];
   }
   return sum;
-}
-
-V3d MeanOf(std::span<const V3d> samples, SampleMask mask) {
-  return SumOf(samples, mask) / static_cast<double>(std::popcount(mask));
 }
 
 }  // namespace
@@ -58,56 +51,22 @@ SampleMask BestPartition(std::span<const V3d> samples) {
 
 SampleMask BestPartition(std::span<const StepColor> samples) {
   RTB_CHECK_LE(samples.size(), kMaxSamples);
-  const auto count = static_cast<std::int64_t>(samples.size());
-  const SampleMask end = SampleMask{1} << (samples.size() - 1);
-  std::array<WideSteps, 1 << (kMaxSamples - 1)> sums;
-  sums[0] = WideSteps(0);
-  WideSteps total(samples.back());
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    total += WideSteps(samples[i]);
-  }
-  SampleMask best = 0;
-  // The gain as below times `count`, as a fraction. A lead is below 2^27, its
-  // square below 2^56, the products below 2^60.
-  std::int64_t numerator = 0;
-  std::int64_t denominator = 1;
-  for (SampleMask on = 1; on < end; ++on) {
-    const auto lowest = static_cast<std::size_t>(std::countr_zero(on));
-    sums[on] = sums[on & (on - 1)] + WideSteps(samples[lowest]);
-    const auto n1 = static_cast<std::int64_t>(std::popcount(on));
-    const WideSteps lead = sums[on] * count - total * n1;
-    const std::int64_t gain = lead.dot(lead);
-    const std::int64_t weight = n1 * (count - n1);
-    if (gain * denominator <= numerator * weight) continue;
-    numerator = gain;
-    denominator = weight;
-    best = on;
-  }
-  return best;
+  return BestPartitionOfSteps(samples.data(), samples.size());
 }
 
 SampleMask BrighterSide(Blend blend, std::span<const V3d> samples,
                         SampleMask mask) {
-  const SampleMask all = AllSamples(samples.size());
-  if (mask == 0 || mask == all) return 0;
-  const auto brightness = [&](SampleMask side) {
-    return HspBrightness(ToEncoded(blend, MeanOf(samples, side)));
+  const auto encoded = [blend](const V3d& color) {
+    return ToEncoded(blend, color);
   };
-  const SampleMask other = mask ^ all;
-  const double lead = brightness(mask) - brightness(other);
-  if (std::abs(lead) <= kNoise) return std::min(mask, other);
-  return lead > 0 ? mask : other;
+  return BrighterSideBy(encoded, samples.data(), samples.size(), mask);
 }
 
 Cell CellOfMeans(Blend blend, std::span<const V3d> samples, SampleMask on,
                  char32_t glyph) {
-  const SampleMask off = on ^ AllSamples(samples.size());
-  RTB_CHECK(off != 0);
-  Cell cell;
-  cell.glyph = glyph;
-  cell.bg = ToRgb8(blend, MeanOf(samples, off));
-  if (on != 0) cell.fg = ToRgb8(blend, MeanOf(samples, on));
-  return cell;
+  RTB_CHECK(on != AllSamples(samples.size()));
+  const auto code = [blend](const V3d& color) { return ToRgb8(blend, color); };
+  return CellOfMeansBy(code, samples.data(), samples.size(), on, glyph);
 }
 
 Cell BestPartitionCell(Blend blend, std::span<const Rgb> linear,

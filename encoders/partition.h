@@ -3,22 +3,14 @@
 /// and the two colors that a partition gives.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "encoders/blend.h"
 #include "encoders/cell.h"
+#include "encoders/sample_mask.h"
 #include "encoders/steps.h"
 
 namespace rtb {
-
-/// A set of samples: bit i stands for sample i (bit 0 = top left, row by row).
-using SampleMask = std::uint32_t;
-
-/// The mask of all of `count` samples.
-inline SampleMask AllSamples(std::size_t count) {
-  return (SampleMask{1} << count) - 1;
-}
 
 /// Of all partitions of at most 8 samples into two sides (one may be empty),
 /// the one of least squared error around the sides' means; of equal ones, and

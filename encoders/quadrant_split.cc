@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/color/hsp.h"
 #include "encoders/partition.h"
+#include "encoders/partition_cell.h"
 
 namespace rtb {
 namespace {
@@ -25,13 +25,6 @@ SampleMask Above(const Values& values, double threshold) {
     if (values[i] > threshold + kNoise) mask |= SampleMask{1} << i;
   }
   return mask;
-}
-
-/// HSP brightness above the mean of the four.
-SampleMask SplitByBrightness(const Samples& encoded) {
-  Values values;
-  std::ranges::transform(encoded, values.begin(), HspBrightness);
-  return Above(values, (values[0] + values[1] + values[2] + values[3]) / 4);
 }
 
 /// The channel of the largest range above its middle.
@@ -57,8 +50,8 @@ SampleMask SplitByRange(const Samples& encoded) {
 Cell BrightnessSplitCell(Blend blend, std::span<const Rgb> linear,
                          std::span<const char32_t> glyphs) {
   const Samples samples = Blended(blend, linear);
-  const SampleMask on = SplitByBrightness(
-      blend == Blend::kSrgb ? samples : Blended(Blend::kSrgb, linear));
+  const SampleMask on = BrighterThanMean(
+      (blend == Blend::kSrgb ? samples : Blended(Blend::kSrgb, linear)).data());
   return CellOfMeans(blend, samples, on, glyphs[on]);
 }
 

@@ -1,16 +1,13 @@
 #include "encoders/steps.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/check.h"
-#include "core/color/srgb.h"
 
 namespace rtb {
 
 std::int32_t EncodedSteps(float linear) {
-  return static_cast<std::int32_t>(
-      std::nearbyint(SrgbEncode(linear) * static_cast<float>(kWhiteSteps)));
+  return EncodedStepsBy(SrgbCurve(), linear);
 }
 
 void EncodedSteps(std::span<const Rgb> linear, std::span<StepColor> steps) {

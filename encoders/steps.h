@@ -4,9 +4,12 @@
 /// scalar and vector code agree.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 
+#include "core/base/host_device.h"
+#include "core/color/srgb_scalar.h"
 #include "core/math/vec.h"
 
 namespace rtb {
@@ -27,11 +30,18 @@ using StepColor = Imath::Vec3<std::int32_t>;
 /// steps.
 std::int32_t EncodedSteps(float linear);
 
+/// The same by a table that is given. Host and device.
+RTB_HD inline std::int32_t EncodedStepsBy(const SrgbCurveTable& curve,
+                                          float linear) {
+  return static_cast<std::int32_t>(std::nearbyint(
+      SrgbEncodeBy(curve, linear) * static_cast<float>(kWhiteSteps)));
+}
+
 /// The same for colors. Both spans have one length.
 void EncodedSteps(std::span<const Rgb> linear, std::span<StepColor> steps);
 
 /// The encoded color in [0, 1] that steps stand for.
-inline V3d FromSteps(const StepColor& steps) {
+RTB_HD inline V3d FromSteps(const StepColor& steps) {
   return V3d(steps.x, steps.y, steps.z) / kWhiteSteps;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/host_device.h"
 #include "core/color/srgb.h"
 #include "encoders/cell.h"
 
@@ -27,7 +28,8 @@ inline constexpr TivGlyph kTivGlyphs[] = {
 };
 
 /// What a cell shows of which no glyph is nearer than kTivTooFar pixels.
-inline constexpr TivGlyph kTivDefault{0x0000ffff, 0x2584};
+RTB_HD constexpr TivGlyph TivDefault() { return {0x0000ffff, 0x2584}; }
+inline constexpr TivGlyph kTivDefault = TivDefault();
 inline constexpr int kTivTooFar = 8;
 
 /// The cell for pixels row by row.

@@ -26,10 +26,11 @@ TOP = {
 CORE = ["base", "math", "color", "image", "scene", "accel", "shading",
         "render", "cuda"]
 
-# Libraries that one folder alone may see: pattern of the header, folder.
+# Libraries that one folder alone may see: pattern of the header, folder. A name
+# without a slash stands for every folder of that name.
 PRIVATE = [
     (re.compile(r"(cuda|curand|thrust/|cub/|nvtx|device_launch)"),
-     "core/cuda"),
+     "cuda"),
     (re.compile(r"(ncursesw?/|ncurses|curses|term\.h|panel\.h)"),
      "harness/live"),
     (re.compile(r"embree\d*/"), "core/accel"),
@@ -90,12 +91,19 @@ def layer_error(source, target):
     return None
 
 
+def inside(source, folder):
+    """Whether a source stands in that folder, or in one of that name."""
+    if "/" in folder:
+        return source.startswith(folder + "/")
+    return folder in source.split("/")[:-1]
+
+
 def private_error(source, header):
     """Why `source` may not see a library's header, or None."""
     if source.startswith("tests/"):
         return None
     for pattern, folder in PRIVATE:
-        if pattern.match(header) and not source.startswith(folder + "/"):
+        if pattern.match(header) and not inside(source, folder):
             return f"only {folder} may include {header}"
     return None
 
@@ -165,9 +173,11 @@ def check(root):
         text = (root / source).read_text(encoding="utf-8")
         graph[source] = [(line, name) for line, quote, name in includes(text)
                          if quote == '"' and (root / name).is_file()]
-        if Path(source).suffix in {".cu", ".cuh"} and not source.startswith(
-                ("core/cuda/", "tests/")):
-            errors.append((source, 1, "CUDA sources stand in core/cuda"))
+        if (Path(source).suffix in {".cu", ".cuh"}
+                and not source.startswith("tests/")
+                and not inside(source, "cuda")):
+            errors.append((source, 1,
+                           "CUDA sources stand in folders named cuda"))
         for line, what in include_errors(root, source, text):
             errors.append((source, line, what))
         for line, what in speech_errors(source, text):

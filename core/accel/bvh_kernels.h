@@ -24,7 +24,7 @@ struct BvhKernels {
 };
 
 /// A tracer on the host.
-using HostBvhTracer = BasicBvhTracer<BvhKernels>;
+using HostBvhTracer = BvhQueryTracer<BvhKernels>;
 
 /// Those that this machine can run, the portable ones first, the best last.
 std::span<const BvhKernels> RunnableBvhKernels();

@@ -10,25 +10,27 @@
 namespace rtb {
 
 /// The two queries, compiled for wherever this is.
-struct PortableQueries {
+/// @tparam Lanes the tests of boxes and triangles.
+template <class Lanes>
+struct LaneQueries {
   RTB_HD Hit Closest(const BvhView& view, const Ray& ray) const {
-    return ClosestInBvh<PortableLanes>(view, ray);
+    return ClosestInBvh<Lanes>(view, ray);
   }
   RTB_HD void Cross(const BvhView& view, const Ray& ray,
                     BvhCrossing* crossing) const {
-    CrossBvh<PortableLanes>(view, ray, crossing);
+    CrossBvh<Lanes>(view, ray, crossing);
   }
 };
 
 /// Answers ray queries on a BvhView as EmbreeAccel does on its scene. No
 /// recursion, no allocation; the stacks are of fixed size, which BvhAccel's
 /// trees never exceed.
-/// @tparam Queries as PortableQueries; all give the same bits.
+/// @tparam Queries as LaneQueries; all give the same bits.
 template <class Queries>
-class BasicBvhTracer {
+class BvhQueryTracer {
  public:
   /// @param view must outlive the tracer.
-  RTB_HD explicit BasicBvhTracer(const BvhView& view, Queries queries = {})
+  RTB_HD explicit BvhQueryTracer(const BvhView& view, Queries queries = {})
       : view_(view), queries_(queries) {}
 
   /// The closest hit on (0, ray.t_max), kind kNothing if there is none.
@@ -61,7 +63,11 @@ class BasicBvhTracer {
   const Queries queries_;
 };
 
+/// A tracer of chosen tests.
+template <class Lanes>
+using BasicBvhTracer = BvhQueryTracer<LaneQueries<Lanes>>;
+
 /// The tracer of every machine.
-using BvhTracer = BasicBvhTracer<PortableQueries>;
+using BvhTracer = BasicBvhTracer<PortableLanes>;
 
 }  // namespace rtb

@@ -1,8 +1,11 @@
 #include "core/render/backend.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "core/render/bvh_backend.h"
+#include "core/render/cuda_backend.h"
 #include "core/render/embree_backend.h"
 
 namespace rtb {
@@ -16,32 +19,41 @@ struct Entry {
   Maker make;
 };
 
-constexpr std::array<Entry, 3> kEntries = {{
-    {{"embree", "Embree on the CPU", true, ""}, MakeEmbreeBackend},
-    {{"bvh", "flat BVH on the CPU", true, ""}, MakeBvhBackend},
-    {{"cuda", "flat BVH on an NVIDIA GPU", false, "not part of this version"},
-     nullptr},
-}};
+constexpr std::size_t kCount = 3;
 
-constexpr auto kInfos = [] {
-  std::array<BackendInfo, kEntries.size()> infos{};
-  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = kEntries[i].info;
-  return infos;
-}();
+Status RunsEverywhere() { return {}; }
+
+Result<std::unique_ptr<Backend>> MakeCuda(const Scene& scene) {
+  return MakeCudaBackend(scene);
+}
+
+const std::array<Entry, kCount>& Entries() {
+  static const std::array<Entry, kCount> entries = {{
+      {{"embree", "Embree on the CPU", true, RunsEverywhere},
+       MakeEmbreeBackend},
+      {{"bvh", "flat BVH on the CPU", true, RunsEverywhere}, MakeBvhBackend},
+      {{"cuda", "flat BVH on an NVIDIA GPU", CudaIsCompiledIn(), CudaRuns},
+       MakeCuda},
+  }};
+  return entries;
+}
 
 }  // namespace
 
-std::span<const BackendInfo> Backends() { return kInfos; }
+std::span<const BackendInfo> Backends() {
+  static const auto infos = [] {
+    std::array<BackendInfo, kCount> list{};
+    std::ranges::transform(Entries(), list.begin(), &Entry::info);
+    return list;
+  }();
+  return infos;
+}
 
 Result<std::unique_ptr<Backend>> MakeBackend(const std::string& name,
                                              const Scene& scene) {
   std::string names;
-  for (const Entry& entry : kEntries) {
-    if (name == entry.info.name) {
-      if (entry.make != nullptr) return entry.make(scene);
-      return Fail(Missing("--backend=" + name, entry.info.why_not,
-                          "--backend=embree runs everywhere"));
-    }
+  for (const Entry& entry : Entries()) {
+    if (name == entry.info.name) return entry.make(scene);
     names += (names.empty() ? "" : ", ") + std::string(entry.info.name);
   }
   return Fail(BadInput("--backend", "unknown backend `" + name + "`", names));

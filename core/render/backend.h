@@ -59,8 +59,10 @@ class Backend {
 struct BackendInfo {
   const char* name;
   const char* description;
-  bool available;       ///< Compiled in and able to run here.
-  const char* why_not;  ///< When not available.
+  bool compiled;  ///< Part of this program.
+  /// Success when it can run here, else a kMissing Error that says why not.
+  /// May take a second where a driver has to be found.
+  Status (*check)();
 };
 
 /// All backends that the command line names, available or not.

@@ -20,17 +20,27 @@ inline constexpr const char* kIntegrators = "whitted, path";
 /// Success when the options name an integrator that can render the scene.
 Status CheckIntegrator(const Scene& scene, const RenderOptions& options);
 
+/// The options' depth, or the scene's.
+inline int DepthOf(const Scene& scene, const RenderOptions& options) {
+  const int depth =
+      options.max_depth >= 0 ? options.max_depth : scene.settings.max_depth;
+  RTB_CHECK_LE(depth, kMaxDepth);
+  return depth;
+}
+
+/// The options' camera, or the scene's at the options' time.
+inline CameraFrame CameraOf(const Scene& scene, const RenderOptions& options) {
+  return options.camera ? *options.camera : CameraAt(scene, options.time);
+}
+
 /// Renders a plan; CheckIntegrator has passed.
 /// @tparam Tracer answers what Whitted and PathTracer ask.
 template <class Tracer>
 Fragments RenderPlan(const Tracer& tracer, const ShadingView& shading,
                      const Scene& scene, const SamplePlan& plan,
                      const RenderOptions& options, RayCounts* counts) {
-  const int max_depth =
-      options.max_depth >= 0 ? options.max_depth : scene.settings.max_depth;
-  RTB_CHECK_LE(max_depth, kMaxDepth);
-  const CameraFrame camera =
-      options.camera ? *options.camera : CameraAt(scene, options.time);
+  const int max_depth = DepthOf(scene, options);
+  const CameraFrame camera = CameraOf(scene, options);
   const PlanRenderer renderer(camera, plan, options);
   if (options.integrator == "path") {
     // Vectors are for speed: a tracer that is to be compared has them not.

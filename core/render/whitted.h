@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/host_device.h"
 #include "core/render/eye_sample.h"
@@ -112,27 +113,44 @@ class Whitted {
     }
     const Interaction at =
         MakeInteraction(shading_, tracer_.geometry(), ray, hit);
-    switch (at.bsdf.model) {
-      case SurfaceModel::kEmissive:
-        // A rough reflection of a light is in its direct light already.
-        return pending.rough && at.is_light ? Rgb(0) : at.emitted;
-      case SurfaceModel::kLambertian:
-        return DirectLight(eye, pending, at, counts) + Ambient(at);
-      case SurfaceModel::kMirror:
-        PushMirrored(pending, at, at.bsdf.color);
-        return Rgb(0);
-      case SurfaceModel::kMetal:
-        return ShadeGlossy(eye, pending, at, counts);
-      case SurfaceModel::kPlastic:
-        return ShadeGlossy(eye, pending, at, counts) + Ambient(at);
-      case SurfaceModel::kPhong:
-        PushMirrored(pending, at, at.reflectance);
-        return DirectLight(eye, pending, at, counts) + Ambient(at);
-      case SurfaceModel::kDielectric:
-        ShadeDielectric(pending, at);
-        return Rgb(0);
+    if (at.bsdf.model == SurfaceModel::kEmissive) {
+      // A rough reflection of a light is in its direct light already.
+      return pending.rough && at.is_light ? Rgb(0) : at.emitted;
     }
-    return Rgb(0);
+    PushChildren(eye, pending, at);
+    return IsLit(at.bsdf) ? LightOf(eye, pending, at, counts) : Rgb(0);
+  }
+
+  /// What the surface reflects and transmits.
+  RTB_HD void PushChildren(const EyeSample& eye, const Pending& pending,
+                           const Interaction& at) {
+    switch (at.bsdf.model) {
+      case SurfaceModel::kMirror:
+        return PushMirrored(pending, at, at.bsdf.color);
+      case SurfaceModel::kPhong:
+        return PushMirrored(pending, at, at.reflectance);
+      case SurfaceModel::kMetal:
+      case SurfaceModel::kPlastic:
+        return PushReflected(eye, pending, at);
+      case SurfaceModel::kDielectric:
+        return PushDielectric(pending, at);
+      case SurfaceModel::kLambertian:
+      case SurfaceModel::kEmissive:
+        return;
+    }
+  }
+
+  /// Whether lights are worth asking.
+  RTB_HD static bool IsLit(const BsdfData& bsdf) {
+    return HasNonDelta(bsdf) || bsdf.model == SurfaceModel::kPhong;
+  }
+
+  /// Direct light, and for what is not metal the ambient light.
+  RTB_HD Rgb LightOf(const EyeSample& eye, const Pending& pending,
+                     const Interaction& at, RayCounts* counts) const {
+    const Rgb direct = DirectLight(eye, pending, at, counts);
+    return at.bsdf.model == SurfaceModel::kMetal ? direct
+                                                 : direct + Ambient(at);
   }
 
   RTB_HD Rgb Ambient(const Interaction& at) const {
@@ -145,28 +163,27 @@ class Whitted {
     Rgb radiance(0);
     for (int i = 0; i < shading_.declared_lights; ++i) {
       const LightData& light = shading_.lights[i];
-      if (!HasExtent(light)) {
-        const LightSample sample = SampleLight(light, at.point.position);
-        radiance += Received(light, sample, at, counts);
-        continue;
-      }
       const auto purpose = static_cast<std::uint32_t>(i + 1);
-      const StratifiedPoints points(eye, pending.branch, purpose,
-                                    light.samples);
+      std::optional<StratifiedPoints> points;
+      if (HasExtent(light)) {
+        points.emplace(eye, pending.branch, purpose, light.samples);
+      }
+      const int samples = points ? light.samples : 1;
       Rgb sum(0);
-      for (int k = 0; k < light.samples; ++k) {
-        const LightSample sample =
-            SampleLightByArea(light, at.point.position, points.At(k));
+      for (int k = 0; k < samples; ++k) {
+        const LightSample sample = SampleLightByArea(
+            light, at.point.position, points ? points->At(k) : V2f(0));
         sum += Received(light, sample, at, counts);
       }
-      radiance += sum / static_cast<float>(light.samples);
+      radiance += sum / static_cast<float>(samples);
     }
     return radiance;
   }
 
-  /// What one sample of a light contributes.
-  RTB_HD Rgb Received(const LightData& light, const LightSample& sample,
-                      const Interaction& at, RayCounts* counts) const {
+  /// What one sample of a light contributes. Called, so that `at` need not be
+  /// in registers meanwhile.
+  RTB_HD_CALLED Rgb Received(const LightData& light, const LightSample& sample,
+                             const Interaction& at, RayCounts* counts) const {
     if (sample.irradiance == Rgb(0)) return Rgb(0);
     const Rgb response = Response(at, sample.direction);
     if (response == Rgb(0)) return Rgb(0);
@@ -185,16 +202,14 @@ class Whitted {
     return EvalDiffuse(at.bsdf, wo, wi) * wi.z + EvalPhong(at.bsdf, wo, wi);
   }
 
-  RTB_HD Rgb ShadeGlossy(const EyeSample& eye, const Pending& pending,
-                         const Interaction& at, RayCounts* counts) {
+  RTB_HD void PushReflected(const EyeSample& eye, const Pending& pending,
+                            const Interaction& at) {
     if (at.bsdf.alpha == 0) {
       const float cosine = std::min(1.0f, at.outgoing.dot(at.normal));
       PushMirrored(pending, at, SpecularFresnel(at.bsdf, cosine));
     } else {
       PushGlossy(eye, pending, at);
     }
-    if (!HasNonDelta(at.bsdf)) return Rgb(0);
-    return DirectLight(eye, pending, at, counts);
   }
 
   RTB_HD void PushGlossy(const EyeSample& eye, const Pending& pending,
@@ -213,7 +228,7 @@ class Whitted {
     }
   }
 
-  RTB_HD void ShadeDielectric(const Pending& pending, const Interaction& at) {
+  RTB_HD void PushDielectric(const Pending& pending, const Interaction& at) {
     const V3f& d = pending.ray.direction;
     const float eta = at.from_outside ? 1 / at.bsdf.ior : at.bsdf.ior;
     const float cosine = std::min(1.0f, -d.dot(at.normal));

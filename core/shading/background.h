@@ -8,6 +8,7 @@
 
 #include "core/base/host_device.h"
 #include "core/color/luminance.h"
+#include "core/math/sin_cos.h"
 #include "core/math/vec.h"
 #include "core/shading/environment.h"
 
@@ -55,9 +56,8 @@ RTB_HD inline BackgroundSample SampleGradient(const BackgroundData& background,
       bottom + root > 0 ? u.y * (bottom + top) / (bottom + root) : u.y;
   const float y = 2 * std::min(t, 1.0f) - 1;
   const float sine = std::sqrt(std::max(0.0f, (1 - y) * (1 + y)));
-  const float longitude = 2 * std::numbers::pi_v<float> * u.x;
-  const V3f direction(sine * std::cos(longitude), y,
-                      sine * std::sin(longitude));
+  const SineCosine longitude = SinCosOf(2 * std::numbers::pi_v<float> * u.x);
+  const V3f direction(sine * longitude.cosine, y, sine * longitude.sine);
   const float pdf = GradientPdf(background, y);
   if (!(pdf > 0)) return {};
   return {direction, BackgroundRadiance(background, direction), pdf};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/host_device.h"
+#include "core/math/sin_cos.h"
 #include "core/math/vec.h"
 #include "core/shading/bsdf_data.h"
 #include "core/shading/bsdf_delta.h"
@@ -85,9 +86,8 @@ RTB_HD inline BsdfSample SampleOf(const BsdfData& bsdf,
 /// Cosine-weighted direction above the surface: Malley's method.
 RTB_HD inline V3f SampleCosine(const V2f& u) {
   const float radius = std::sqrt(u.x);
-  const float phi = 2 * kPi * u.y;
-  return V3f(radius * std::cos(phi), radius * std::sin(phi),
-             std::sqrt(1 - u.x));
+  const SineCosine phi = SinCosOf(2 * kPi * u.y);
+  return V3f(radius * phi.cosine, radius * phi.sine, std::sqrt(1 - u.x));
 }
 
 /// Draws wi. A black weight ends the path.

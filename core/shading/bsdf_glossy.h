@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/host_device.h"
+#include "core/math/sin_cos.h"
 #include "core/math/vec.h"
 #include "core/shading/bsdf_data.h"
 #include "core/shading/fresnel.h"
@@ -73,8 +74,8 @@ RTB_HD inline V3f SampleCompensation(float alpha, const V2f& u) {
   const float cosine = alpha * std::expm1(std::sqrt(u.x) * range);
   const float z = cosine < 1 ? cosine : 1.0f;
   const float radius = std::sqrt(1 - z * z);
-  const float phi = 2 * kPi * u.y;
-  return V3f(radius * std::cos(phi), radius * std::sin(phi), z);
+  const SineCosine phi = SinCosOf(2 * kPi * u.y);
+  return V3f(radius * phi.cosine, radius * phi.sine, z);
 }
 
 /// Its density per solid angle.

@@ -10,6 +10,7 @@
 #include "core/base/host_device.h"
 #include "core/math/constants.h"
 #include "core/math/discrete.h"
+#include "core/math/sin_cos.h"
 #include "core/math/vec.h"
 #include "core/shading/texture.h"
 
@@ -58,8 +59,8 @@ RTB_HD inline float TexelSolidAngle(int width, int height, int row) {
   // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2) cancels nothing.
   const float half_step = kPi / 2 / static_cast<float>(height);
   const float middle = half_step * static_cast<float>(2 * row + 1);
-  return 4 * kPi / static_cast<float>(width) * std::sin(middle) *
-         std::sin(half_step);
+  return 4 * kPi / static_cast<float>(width) * SinCosOf(middle).sine *
+         SinCosOf(half_step).sine;
 }
 
 /// The density of SampleEnvironment per solid angle.
@@ -85,13 +86,13 @@ RTB_HD inline V3f DirectionInRow(int row, int height, float fraction,
   const int band = upper ? row : height - 1 - row;
   const float half_step =
       std::numbers::pi_v<float> / 2 / static_cast<float>(height);
-  const float s0 = std::sin(half_step * static_cast<float>(band));
-  const float s1 = std::sin(half_step * static_cast<float>(band + 1));
+  const float s0 = SinCosOf(half_step * static_cast<float>(band)).sine;
+  const float s1 = SinCosOf(half_step * static_cast<float>(band + 1)).sine;
   const float h = s0 * s0 + fraction * (s1 * s1 - s0 * s0);
   const float sine = 2 * std::sqrt(h * (1 - h));
   const float cosine = 1 - 2 * h;
-  return {sine * std::sin(longitude), upper ? cosine : -cosine,
-          -sine * std::cos(longitude)};
+  const SineCosine around = SinCosOf(longitude);
+  return {sine * around.sine, upper ? cosine : -cosine, -sine * around.cosine};
 }
 
 /// A direction for u of the unit square, brighter ones more likely.

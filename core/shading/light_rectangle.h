@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "core/base/host_device.h"
+#include "core/math/sin_cos.h"
 #include "core/shading/light_data.h"
 
 namespace rtb {
@@ -67,11 +68,12 @@ RTB_HD inline float SampleX(const SphericalRectangle& r, float u) {
   const float c0 = r.y0 / std::sqrt(r.y0 * r.y0 + r.z0 * r.z0);
   const float c1 = r.y1 / std::sqrt(r.y1 * r.y1 + r.z0 * r.z0);
   const bool same = c0 * c1 >= 0;  // then sums of what is not negative
-  const float half = same ? std::sin(a / 2) : std::cos(a / 2);
+  const SineCosine of_half = SinCosOf(a / 2);
+  const float half = same ? of_half.sine : of_half.cosine;
   const float difference = same ? c1 - c0 : c1 + c0;
   const float side2 =
       difference * difference + 4 * std::abs(c0 * c1) * half * half;
-  const float s = std::sin(a) / std::sqrt(side2);
+  const float s = SinCosOf(a).sine / std::sqrt(side2);
   const float x = s * std::abs(r.z0) / std::sqrt(std::max(0.0f, 1 - s * s));
   return std::min(r.x1, std::max(r.x0, x));  // x0 where x is no number
 }

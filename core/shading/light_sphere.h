@@ -10,6 +10,7 @@
 
 #include "core/base/host_device.h"
 #include "core/math/frame.h"
+#include "core/math/sin_cos.h"
 #include "core/shading/light_data.h"
 
 namespace rtb {
@@ -53,8 +54,8 @@ RTB_HD inline LightSample SampleSphereLight(const LightData& sphere,
   const Tangents<float> frame = TangentsOf(axis);
   const float height = u.x * cone.height;
   const float sin2 = height * (2 - height);
-  const float phi = 2 * std::numbers::pi_v<float> * u.y;
-  const V3f side = frame.s * std::cos(phi) + frame.t * std::sin(phi);
+  const SineCosine phi = SinCosOf(2 * std::numbers::pi_v<float> * u.y);
+  const V3f side = frame.s * phi.cosine + frame.t * phi.sine;
   const V3f direction = axis * (1 - height) + side * std::sqrt(sin2);
   // Half the chord inside the sphere: r sqrt(1 - (sin / sin of the rim)^2).
   const float rim = sin2 / (cone.sine * cone.sine);

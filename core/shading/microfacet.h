@@ -11,6 +11,7 @@
 
 #include "core/base/host_device.h"
 #include "core/math/constants.h"
+#include "core/math/sin_cos.h"
 #include "core/math/vec.h"
 
 namespace rtb {
@@ -48,9 +49,8 @@ RTB_HD inline V3f SampleVisibleNormal(const V3f& wo, float alpha,
   const V3f stretched = V3f(alpha * wo.x, alpha * wo.y, wo.z).normalized();
   const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
   const float radius = std::sqrt(z * z < 1 ? 1 - z * z : 0.0f);
-  const float phi = 2 * kPi * u.x;
-  const V3f sum =
-      V3f(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
+  const SineCosine phi = SinCosOf(2 * kPi * u.x);
+  const V3f sum = V3f(radius * phi.cosine, radius * phi.sine, z) + stretched;
   return V3f(alpha * sum.x, alpha * sum.y, sum.z).normalized();
 }
 

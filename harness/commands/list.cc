@@ -67,9 +67,11 @@ Json Scenes() {
 Json BackendList() {
   Json list = Json::array();
   for (const BackendInfo& backend : Backends()) {
+    const Status runs = backend.check();
     list.push_back({{"name", backend.name},
-                    {"available", backend.available},
-                    {"why_not", backend.available ? "" : backend.why_not},
+                    {"compiled", backend.compiled},
+                    {"available", runs.has_value()},
+                    {"why_not", runs ? "" : runs.error().what},
                     {"description", backend.description}});
   }
   return list;

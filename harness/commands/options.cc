@@ -30,10 +30,10 @@ auto OneOf(std::vector<std::pair<std::string, T>> words) {
   };
 }
 
-std::string AvailableBackends() {
+std::string CompiledBackends() {
   std::string names;
   for (const BackendInfo& backend : Backends()) {
-    if (!backend.available) continue;
+    if (!backend.compiled) continue;
     names += (names.empty() ? "" : "|") + std::string(backend.name);
   }
   return names;
@@ -99,7 +99,7 @@ void AddThreads(CLI::App& app, int& threads) {
 void AddSceneOptions(CLI::App& app, SceneRequest& request) {
   AddSceneName(app, request.scene);
   AddText(app,
-          {"--backend", AvailableBackends(), request.backend,
+          {"--backend", CompiledBackends(), request.backend,
            "What traces the rays (see `list backends`)"},
           request.backend);
   AddWord(app,

@@ -35,6 +35,20 @@ std::string WithTemporal(const std::string& spec) {
   return spec + ":temporal=3";
 }
 
+/// What the first pass of a view is rendered with.
+RenderOptions OptionsFor(const FrameRequest& request) {
+  RenderOptions options;
+  options.time = request.view.time;
+  options.spp = request.budget.spp;
+  options.seed = request.view.seed;
+  options.max_depth = request.view.max_depth;
+  options.threads = request.view.threads;
+  options.integrator = request.view.integrator;
+  options.camera = request.view.camera;
+  options.least_weight = kLeastWeight;
+  return options;
+}
+
 /// The columns of one side.
 Region SideOf(const LiveView& view, std::size_t side) {
   Region region{.grid = view.grid, .columns = view.grid.columns};
@@ -90,18 +104,20 @@ Status FrameMaker::PrepareFor(const LiveView& view, LiveFrame* frame) {
   frame->loaded = true;
   scene_ = nullptr;
   RTB_ASSIGN_OR_RETURN(PreparedScene prepared,
-                       PrepareScene({.scene = view.scene,
-                                     .backend = view.backend,
-                                     .exposure = {},
-                                     .options = {}}));
+                       prepare_({.scene = view.scene,
+                                 .backend = view.backend,
+                                 .exposure = {},
+                                 .options = {}}));
   scene_ = std::make_shared<PreparedScene>(std::move(prepared));
   return {};
 }
 
-Result<const Encoder*> FrameMaker::FindEncoder(const LiveView& view,
-                                               std::size_t side) {
-  std::string spec = view.encoders[side];
-  if (view.temporal && IsNoisy(view)) spec = WithTemporal(spec);
+std::string FrameMaker::SpecFor(const LiveView& view, const Part& part) {
+  const std::string& spec = view.encoders[part.region.first_column > 0 ? 1 : 0];
+  return view.temporal && IsNoisy(view) ? WithTemporal(spec) : spec;
+}
+
+Result<const Encoder*> FrameMaker::FindEncoder(const std::string& spec) {
   const auto found = encoders_.find(spec);
   if (found != encoders_.end()) return found->second.get();
   RTB_ASSIGN_OR_RETURN(auto encoder, MakeEncoder(spec));
@@ -124,14 +140,7 @@ void FrameMaker::MakeParts(const FrameRequest& request) {
 
 SampleStore::Tracer FrameMaker::TracerFor(const FrameRequest& request,
                                           LiveFrame* frame) {
-  RenderOptions options;
-  options.time = request.view.time;
-  options.spp = request.budget.spp;
-  options.max_depth = request.view.max_depth;
-  options.threads = request.view.threads;
-  options.integrator = request.view.integrator;
-  options.camera = request.view.camera;
-  return [this, options, frame, seed = request.view.seed](
+  return [this, options = OptionsFor(request), frame, seed = request.view.seed](
              const SamplePlan& plan, int pass) mutable {
     constexpr std::uint64_t kPassStride = 0x9E3779B97F4A7C15;
     options.seed = seed + kPassStride * static_cast<std::uint64_t>(pass);
@@ -145,9 +154,44 @@ SampleStore::Tracer FrameMaker::TracerFor(const FrameRequest& request,
 
 Status FrameMaker::DrawPart(const FrameRequest& request, Part* part,
                             LiveFrame* frame) {
+  RTB_ASSIGN_OR_RETURN(part->on_device, DrawOnDevice(request, part, frame));
+  if (!part->on_device) {
+    RTB_RETURN_IF_ERROR(DrawSamples(request, part, frame));
+  }
+  part->epoch = epoch_;
+  Paste(part->last, part->region, &picture_);
+  return {};
+}
+
+Result<bool> FrameMaker::DrawOnDevice(const FrameRequest& request, Part* part,
+                                      LiveFrame* frame) {
   const LiveView& view = request.view;
-  const std::size_t side = part->region.first_column > 0 ? 1 : 0;
-  RTB_ASSIGN_OR_RETURN(const Encoder* encoder, FindEncoder(view, side));
+  const bool rests = part->epoch == epoch_;  // samples are gathered then
+  if (rests || !part->region.whole() || request.budget.share < 1 ||
+      view.depth != ColorDepth::kTruecolor) {
+    return false;
+  }
+  const auto start = Clock::now();
+  RTB_ASSIGN_OR_RETURN(
+      auto picture,
+      device_.Draw(*scene_->backend,
+                   {SpecFor(view, *part), view.grid, view.cell_aspect,
+                    OptionsFor(request), frame->exposure}));
+  if (!picture) return false;
+  frame->render_ms += MillisecondsSince(start);
+  frame->rays += picture->rays;
+  frame->samples_per_cell =
+      std::max(frame->samples_per_cell, picture->samples_per_cell);
+  frame->rays_per_cell += picture->samples_per_cell * request.budget.spp;
+  part->last = std::move(picture->grid);
+  return true;
+}
+
+Status FrameMaker::DrawSamples(const FrameRequest& request, Part* part,
+                               LiveFrame* frame) {
+  const LiveView& view = request.view;
+  RTB_ASSIGN_OR_RETURN(const Encoder* encoder,
+                       FindEncoder(SpecFor(view, *part)));
   // The tracer asks the whole picture's backend for the region's cells.
   const auto trace = TracerFor(request, frame);
   part->store.BeginFrame(
@@ -178,17 +222,18 @@ Status FrameMaker::DrawPart(const FrameRequest& request, Part* part,
                           request.budget.spp / view.grid.cells();
   frame->samples_per_cell =
       std::max(frame->samples_per_cell, part->store.samples_per_cell());
-  part->epoch = epoch_;
   part->last = std::move(run.encoding.grid);
-  Paste(part->last, part->region, &picture_);
   return {};
 }
 
 int FrameMaker::Passes() const {
-  int least = parts_.empty() ? 0 : parts_.front().store.least_rays();
+  const auto rays_of = [](const Part& part) {
+    return part.on_device ? 1 : part.store.least_rays();
+  };
+  int least = parts_.empty() ? 0 : rays_of(parts_.front());
   for (const Part& part : parts_) {
     if (part.epoch != epoch_) return 0;
-    least = std::min(least, part.store.least_rays());
+    least = std::min(least, rays_of(part));
   }
   return least;
 }

@@ -2,13 +2,16 @@
 /// FrameMaker: renders and encodes one picture after the other.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/render/ray_counts.h"
 #include "encoders/encoder.h"
+#include "harness/live/device_cells.h"
 #include "harness/live/live_view.h"
 #include "harness/live/region_source.h"
 #include "harness/live/sample_store.h"
@@ -41,10 +44,21 @@ struct LiveFrame {
   int passes = 0;
 };
 
+/// Where a FrameMaker has its parts from.
+struct FrameParts {
+  std::function<Result<PreparedScene>(const SceneRequest&)> prepare =
+      PrepareScene;
+  DeviceCells::Maker device_encoder = DeviceEncoder::Make;
+};
+
 /// Keeps scene, encoders, samples and the last picture between frames. For
 /// one thread.
 class FrameMaker {
  public:
+  explicit FrameMaker(FrameParts from = {})
+      : prepare_(std::move(from.prepare)),
+        device_(std::move(from.device_encoder)) {}
+
   /// @return the errors of loading, rendering and encoding. After one, the
   /// next request starts anew.
   Result<LiveFrame> Make(const FrameRequest& request);
@@ -54,17 +68,28 @@ class FrameMaker {
   struct Part {
     Region region;
     SampleStore store;
-    int epoch = -1;      ///< When it was last drawn.
-    CellGrid last = {};  ///< What its encoder chose then.
+    int epoch = -1;          ///< When it was last drawn.
+    bool on_device = false;  ///< So it was, and the store has nothing.
+    CellGrid last = {};      ///< What its encoder chose then.
   };
 
   Status PrepareFor(const LiveView& view, LiveFrame* frame);
-  Result<const Encoder*> FindEncoder(const LiveView& view, std::size_t side);
+  /// The SPEC of a side's encoder, `temporal` added where it helps.
+  static std::string SpecFor(const LiveView& view, const Part& part);
+  Result<const Encoder*> FindEncoder(const std::string& spec);
   void MakeParts(const FrameRequest& request);
   Status DrawPart(const FrameRequest& request, Part* part, LiveFrame* frame);
+  /// Where a GPU can choose the cells: of a whole picture, of which no samples
+  /// are kept or wanted yet. @return whether it has.
+  Result<bool> DrawOnDevice(const FrameRequest& request, Part* part,
+                            LiveFrame* frame);
+  /// From samples, which the store keeps.
+  Status DrawSamples(const FrameRequest& request, Part* part, LiveFrame* frame);
   SampleStore::Tracer TracerFor(const FrameRequest& request, LiveFrame* frame);
   int Passes() const;
 
+  std::function<Result<PreparedScene>(const SceneRequest&)> prepare_;
+  DeviceCells device_;
   std::shared_ptr<PreparedScene> scene_;
   std::map<std::string, std::unique_ptr<Encoder>> encoders_;
   std::vector<Part> parts_;  ///< Sides, each with its row phases.

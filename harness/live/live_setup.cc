@@ -24,7 +24,7 @@ LiveChoices MakeChoices() {
     choices.scenes.push_back(scene.name);
   }
   for (const BackendInfo& backend : Backends()) {
-    if (backend.available) choices.backends.emplace_back(backend.name);
+    if (backend.check()) choices.backends.emplace_back(backend.name);
   }
   return choices;
 }

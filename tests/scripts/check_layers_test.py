@@ -67,15 +67,16 @@ class CheckLayersTest(ScriptTest):
     def test_libraries_of_one_folder(self):
         self.write("core/accel/ok.cc", "#include <embree3/rtcore.h>\n")
         self.write("core/cuda/ok.cc", "#include <cuda_runtime.h>\n")
+        self.write("encoders/cuda/ok.cu", "#include <cuda_runtime.h>\n")
         self.write("harness/live/ok.cc", "#include <ncurses.h>\n")
         self.assert_passes(self.check())
         for header, folder in (("embree3/rtcore.h", "core/accel"),
-                               ("cuda_runtime.h", "core/cuda"),
+                               ("cuda_runtime.h", "cuda"),
                                ("ncurses.h", "harness/live")):
             self.write("core/render/r.cc", f"#include <{header}>\n")
             self.assert_fails(self.check(), f"only {folder} may include")
 
-    def test_cuda_sources_stand_in_one_folder(self):
+    def test_cuda_sources_stand_in_folders_of_that_name(self):
         self.write("core/render/k.cu", "")
         self.assert_fails(self.check(), "core/render/k.cu:1:")
 

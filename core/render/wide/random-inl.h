@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/math/sin_cos.h"
 #include "core/math/sobol.h"
 #include "core/render/wide/lanes-inl.h"
 #include "core/render/wide/sobol_tables.h"
@@ -154,23 +155,18 @@ struct SinCos {
   F sine, cosine;
 };
 
-/// Sine and cosine of angles 0 .. 2 pi in double precision, rounded: with the
-/// polynomials of Arm's optimized-routines (sincosf_data.c), which are glibc's
-/// since 2.28, so that they agree with std::sin and std::cos there.
+/// The very operations of SinCosOf in sin_cos.h, for angles 0 .. 2 pi.
 HWY_INLINE void SinCosOf(D x, D* sine, D* cosine) {
+  using T = SinCosTerms;
   const auto set = [](double value) { return hn::Set(DD(), value); };
-  const D turns = hn::Floor(x * set(0x1.45F306DC9C883p-1) + set(0.5));
-  // pi / 2 in two parts, so that products with 0 .. 4 are exact.
-  const D y = (x - turns * set(0x1.921FB544p0)) - turns * set(0x1.0B46p-34);
+  const D turns = hn::Floor(x * set(T::kQuartersPerRadian) + set(0.5));
+  const D y = (x - turns * set(T::kQuarterHigh)) - turns * set(T::kQuarterLow);
   const D y2 = y * y;
   const D y4 = y2 * y2;
-  const D c =
-      (set(1) + y2 * set(-0x1.ffffffd0c621cp-2) +
-       y4 * set(0x1.55553e1068f19p-5)) +
-      y4 * y2 * (set(-0x1.6c087e89a359dp-10) + y2 * set(0x1.99343027bf8c3p-16));
+  const D c = (set(1) + y2 * set(T::kC1) + y4 * set(T::kC2)) +
+              y4 * y2 * (set(T::kC3) + y2 * set(T::kC4));
   const D s =
-      (y + y * y2 * set(-0x1.555545995a603p-3)) +
-      y * y4 * (set(0x1.1107605230bc4p-7) + y2 * set(-0x1.994eb3774cf24p-13));
+      (y + y * y2 * set(T::kS1)) + y * y4 * (set(T::kS2) + y2 * set(T::kS3));
   const auto one = turns == set(1), two = turns == set(2),
              three = turns == set(3);
   const auto swap = hn::Or(one, three);

@@ -2,45 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/render/backend.h"
 #include "core/scene/load.h"
+#include "tests/core/render/difference.h"
 #include "tests/scene_files.h"
 
 namespace rtb {
 namespace {
 
+using rtb::testing::Difference;
+
 const std::filesystem::path kScenes =
     std::filesystem::path(RTB_TEST_SOURCE_DIR) / "scenes";
-
-/// How two images differ, by the largest channel of each pixel.
-struct Difference {
-  Difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
-    std::vector<float> all;
-    double squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const Rgb d = a[i] - b[i];
-      all.push_back(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
-      if (all.back() > 1e-3f) {
-        ++off;
-      } else {
-        squares += d.length2() / 3;
-      }
-    }
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(a.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    median = *middle;
-    rmse = std::sqrt(squares / static_cast<double>(a.size()));
-  }
-
-  int off = 0;  ///< Pixels by more than 1e-3.
-  double median = 0;
-  double rmse = 0;  ///< Of the other pixels.
-};
 
 class BvhBackendTest : public ::testing::TestWithParam<std::string> {};
 
