@@ -148,6 +148,7 @@ TEST_P(CyclesAgreementTest, TilesAndTheWholeHaveTheSameMean) {
 // microfacets is spread (5.5 % in the red of gold at roughness 1).
 INSTANTIATE_TEST_SUITE_P(Scenes, CyclesAgreementTest,
                          testing::Values(Case{"cornell-area", 0.003},
+                                         Case{"explore", 0.005},
                                          Case{"shadow", 0.003},
                                          Case{"glass", 0.005},
                                          Case{"metal", 0.06}));
