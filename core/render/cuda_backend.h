@@ -1,6 +1,7 @@
 /// @file
 /// The CUDA backend as the rest of the program sees it: without any of CUDA's
-/// headers. core/cuda implements it, or a stub does.
+/// headers. core/cuda implements it; built without CUDA it says so
+/// (no_cuda.cc).
 #pragma once
 
 #include <memory>

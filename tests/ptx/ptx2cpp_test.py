@@ -180,11 +180,11 @@ class Ptx2CppTest(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, folder)
         source = folder / "cases.cc"
         source.write_text(ptx2cpp.translate(text))
-        library = folder / "cases.so"
+        shared = folder / "cases.so"
         subprocess.run([COMPILER, "-std=c++20", "-O0", "-fwrapv", "-w",
                         "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT}",
-                        "-o", library, source], check=True)
-        cls.library = ctypes.CDLL(str(library))
+                        "-o", shared, source], check=True)
+        cls.compiled = ctypes.CDLL(str(shared))
 
     def test_cases(self):
         for name, (_, inputs, expected, kinds) in CASES.items():
@@ -193,7 +193,8 @@ class Ptx2CppTest(unittest.TestCase):
                     packed(kinds[1], inputs[0]) + packed(kinds[2], inputs[1]),
                     12)
                 place = ctypes.c_uint64(ctypes.addressof(memory))
-                getattr(self.library, f"ptx_case_{name}")(ctypes.byref(place))
+                case = getattr(self.compiled, f"ptx_case_{name}")
+                case(ctypes.byref(place))
                 found = memory.raw[8:]
                 self.assertEqual(found, packed(kinds[0], expected), found)
 

@@ -40,13 +40,9 @@ TEST_P(PtxCellsTest, AreTheEncoders) {
   constexpr GridSize kGrid{23, 11};
   const std::vector<Rgb> samples =
       testing::VariedSamples(kGrid.cells(), kernel.samples);
-  std::vector<Cell> cells(static_cast<std::size_t>(kGrid.cells()));
-  EncodeJob job;
-  job.samples = samples.data();
-  job.samples_per_cell = kernel.samples;
-  job.cell_count = cells.size();
-  job.tables = {&SrgbCodes(), &SrgbCurve(), kernel.glyphs.data(), kTivGlyphs};
-  job.cells = cells.data();
+  std::vector<Cell> cells;
+  const EncodeJob job =
+      testing::JobOf(samples, kernel.samples, kernel.glyphs, &cells);
   testing::LaunchPtx(kernel.kernel, job, cells.size());
   GivenSource source(samples);
   const auto encoder = MakeEncoder(kernel.encoder).value();

@@ -16,6 +16,7 @@
 namespace rtb {
 namespace {
 
+using rtb::testing::JobOf;
 using rtb::testing::VariedSamples;
 
 using Body = void (*)(const EncodeJob&, std::size_t);
@@ -34,17 +35,11 @@ void PrintTo(const Kernel& kernel, std::ostream* out) {
 /// Runs a body for all threads of blocks of 64.
 std::vector<Cell> Encode(const Kernel& kernel, const std::vector<Rgb>& samples,
                          float gain = 1) {
-  const std::size_t count =
-      samples.size() / static_cast<std::size_t>(kernel.samples);
-  std::vector<Cell> cells(count);
-  EncodeJob job;
-  job.samples = samples.data();
+  std::vector<Cell> cells;
+  EncodeJob job = JobOf(samples, kernel.samples, kernel.glyphs, &cells);
   job.gain = gain;
-  job.samples_per_cell = kernel.samples;
-  job.cell_count = count;
-  job.tables = {&SrgbCodes(), &SrgbCurve(), kernel.glyphs.data(), kTivGlyphs};
-  job.cells = cells.data();
-  for (std::size_t i = 0; i < (count + 63) / 64 * 64; ++i) kernel.body(job, i);
+  const std::size_t threads = (cells.size() + 63) / 64 * 64;
+  for (std::size_t i = 0; i < threads; ++i) kernel.body(job, i);
   return cells;
 }
 

@@ -10,6 +10,7 @@
 #include "core/color/srgb.h"
 #include "core/math/random.h"
 #include "core/math/vec.h"
+#include "encoders/cuda/encode_kernels.h"
 
 namespace rtb::testing {
 
@@ -54,6 +55,20 @@ inline Rgb VariedSample(std::uint32_t cell, std::uint32_t i) {
       return {odd(0), odd(1), odd(2)};
     }
   }
+}
+
+/// A kernel's job on all cells of some samples, which must outlive it.
+inline EncodeJob JobOf(const std::vector<Rgb>& samples, int samples_per_cell,
+                       const std::vector<char32_t>& glyphs,
+                       std::vector<Cell>* cells) {
+  cells->resize(samples.size() / static_cast<std::size_t>(samples_per_cell));
+  EncodeJob job;
+  job.samples = samples.data();
+  job.samples_per_cell = samples_per_cell;
+  job.cell_count = cells->size();
+  job.tables = {&SrgbCodes(), &SrgbCurve(), glyphs.data(), kTivGlyphs};
+  job.cells = cells->data();
+  return job;
 }
 
 /// Cell by cell.
