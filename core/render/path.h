@@ -8,6 +8,7 @@
 #include "core/base/host_device.h"
 #include "core/math/sobol.h"
 #include "core/render/eye_sample.h"
+#include "core/render/power_heuristic.h"
 #include "core/render/ray_counts.h"
 #include "core/shading/emitters.h"
 #include "core/shading/interaction.h"
@@ -66,12 +67,6 @@ class PathTracer {
     const std::uint32_t number =
         static_cast<std::uint32_t>(depth) * kSetsPerBounce + set;
     return SobolOwen4(eye.index, SobolSeed(eye.pattern, number, eye.seed));
-  }
-
-  RTB_HD static float PowerHeuristic(float a, float b) {
-    if (!(b > 0)) return 1;
-    const float ratio = b / a;  // a^2 / (a^2 + b^2) without overflow
-    return 1 / (1 + ratio * ratio);
   }
 
   /// Traces the path's ray, adds what its end sends back, and scatters there.

@@ -13,19 +13,22 @@
 namespace rtb {
 
 /// `count` stratified points of the unit square at one hit: a run of a Sobol
-/// sequence, well distributed over all the rays of a sample too, where its
+/// sequence, well distributed over all runs of a sample too, where its
 /// length is a power of two; else correlated multi-jittered points.
 class StratifiedPoints {
  public:
-  /// @param branch, purpose tell the sets of one eye ray apart.
-  RTB_HD StratifiedPoints(const EyeSample& eye, std::uint32_t branch,
-                          std::uint32_t purpose, int count)
+  /// @param run which run of `count`: siblings that go through one pattern
+  ///     together have one each.
+  /// @param branch, purpose tell the patterns of one sample apart.
+  RTB_HD StratifiedPoints(const EyeSample& eye, std::uint32_t run,
+                          std::uint32_t branch, std::uint32_t purpose,
+                          int count)
       : count_(static_cast<std::uint32_t>(count)),
-        first_(eye.index * count_),
+        first_(run * count_),
         sobol_((count_ & (count_ - 1)) == 0),
         seed_(
             SobolSeed(eye.pattern, PatternHash(branch, purpose, 6), eye.seed)) {
-    if (!sobol_) seed_ = PatternHash(eye.index, seed_, 5);
+    if (!sobol_) seed_ = PatternHash(run, seed_, 5);
   }
 
   RTB_HD V2f At(int k) const {

@@ -7,6 +7,7 @@
 
 #include "core/base/host_device.h"
 #include "core/render/eye_sample.h"
+#include "core/render/lobe_light.h"
 #include "core/render/ray_counts.h"
 #include "core/render/stratified_points.h"
 #include "core/shading/interaction.h"
@@ -22,10 +23,11 @@ inline constexpr int kMaxDepth = 64;
 /// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6),
 /// 1980: direct light with shadow rays, one reflected and one refracted ray
 /// per specular hit. Lights with extent get several shadow rays, and rough
-/// reflections several rays at the eye ray's hit, as in Cook, Porter and
-/// Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984. The recursion is an
-/// explicit stack.
-/// @tparam Tracer answers Closest(ray), Transmittance(ray) and geometry().
+/// reflections several rays where the eye ray or its mirror image hits, as in
+/// Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984. These
+/// share the shadow rays of what they hit. The recursion is an explicit stack.
+/// @tparam Tracer answers Closest(ray), Occluded(ray), Transmittance(ray) and
+///     geometry().
 template <class Tracer>
 class Whitted {
  public:
@@ -41,7 +43,7 @@ class Whitted {
   /// Radiance along an eye ray. Counts the rays that it traces.
   RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) {
     Rgb radiance(0);
-    Push({eye.ray, Rgb(1), 0, 1, false, false});
+    Push({eye.ray, Rgb(1), 0, 1, eye.index, 1, 1, 0, false});
     while (size_ > 0) {
       const Pending pending = stack_[--size_];
       Count(pending, counts);
@@ -51,16 +53,22 @@ class Whitted {
   }
 
  private:
-  /// Reflection rays of a rough surface that the eye ray meets.
-  static constexpr int kGlossyRays = 8;
+  /// Reflection rays of a rough surface that the eye ray meets. A power of 2.
+  static constexpr int kGlossyRays = 16;
 
   /// A ray whose radiance is still to be added, times its weight.
   struct Pending {
     Ray ray;
     Rgb weight;
     int depth;
-    std::uint32_t branch;  ///< Which of the eye ray's descendants it is.
-    bool rough;  ///< Stands for a lobe that the lights were evaluated for.
+    std::uint32_t branch;  ///< Which of the eye ray's descendants it is, but
+                           ///< for siblings in one rough lobe.
+    std::uint32_t run;     ///< Among these, and those of the sample's other
+                           ///< eye rays: of StratifiedPoints.
+    int siblings;          ///< Its share of a rough lobe is 1 / siblings.
+    int fan;               ///< So many of them left the last surface.
+    float lobe_pdf;        ///< Per solid angle, times `fan`; 0 where no points
+                           ///< of lights stand for the ray too.
     bool refracted;
   };
 
@@ -80,26 +88,28 @@ class Whitted {
     stack_[size_++] = pending;
   }
 
-  RTB_HD void PushBounce(const Pending& from, const Interaction& at,
-                         const V3f& direction, const Rgb& weight,
-                         std::uint32_t child, bool rough = false,
-                         bool refracted = false) {
+  RTB_HD static Pending Bounce(const Pending& from, const Interaction& at,
+                               const V3f& direction, const Rgb& weight,
+                               std::uint32_t child) {
     // Up to 16 children each; the hash of a long line of them may wrap.
     Pending next{{},
                  from.weight * weight,
                  from.depth + 1,
                  from.branch * 16 + child,
-                 rough,
-                 refracted};
+                 from.run,
+                 from.siblings,
+                 1,
+                 0,
+                 false};
     next.ray.origin = LeavingOrigin(at.point, direction);
     next.ray.direction = direction;
-    Push(next);
+    return next;
   }
 
   RTB_HD void PushMirrored(const Pending& from, const Interaction& at,
                            const Rgb& weight) {
     const V3f mirrored = Reflect(from.ray.direction, at.normal);
-    PushBounce(from, at, at.AboveSurface(mirrored), weight, 0);
+    Push(Bounce(from, at, at.AboveSurface(mirrored), weight, 0));
   }
 
   /// Radiance that the hit surface adds by itself; pushes what it reflects
@@ -114,11 +124,20 @@ class Whitted {
     const Interaction at =
         MakeInteraction(shading_, tracer_.geometry(), ray, hit);
     if (at.bsdf.model == SurfaceModel::kEmissive) {
-      // A rough reflection of a light is in its direct light already.
-      return pending.rough && at.is_light ? Rgb(0) : at.emitted;
+      return at.emitted * EmissionWeight(pending, at, hit.t);
     }
     PushChildren(eye, pending, at);
     return IsLit(at.bsdf) ? LightOf(eye, pending, at, counts) : Rgb(0);
+  }
+
+  /// A rough reflection of a light is in the lobe's direct light too.
+  RTB_HD float EmissionWeight(const Pending& pending, const Interaction& at,
+                              float distance) const {
+    if (!at.is_light || !(pending.lobe_pdf > 0)) return 1;
+    const ObjectData& object = tracer_.geometry().objects[at.point.object];
+    const LightData& light = shading_.lights[object.light];
+    return LobeRayWeight(light, pending.ray, pending.lobe_pdf, distance,
+                         LightPoints(light, pending.siblings / pending.fan));
   }
 
   /// What the surface reflects and transmits.
@@ -157,6 +176,11 @@ class Whitted {
     return at.bsdf.color * shading_.ambient;
   }
 
+  /// Points of a light with extent for one of so many siblings.
+  RTB_HD static int LightPoints(const LightData& light, int siblings) {
+    return std::max(1, light.samples / siblings);
+  }
+
   /// Light of all lights that the surface sends to the viewer.
   RTB_HD Rgb DirectLight(const EyeSample& eye, const Pending& pending,
                          const Interaction& at, RayCounts* counts) const {
@@ -165,15 +189,19 @@ class Whitted {
       const LightData& light = shading_.lights[i];
       const auto purpose = static_cast<std::uint32_t>(i + 1);
       std::optional<StratifiedPoints> points;
+      int samples = 1;
+      float lobe_rays = 0;
       if (HasExtent(light)) {
-        points.emplace(eye, pending.branch, purpose, light.samples);
+        samples = LightPoints(light, pending.siblings);
+        points.emplace(eye, pending.run, pending.branch, purpose, samples);
+        lobe_rays = static_cast<float>(LobeRays(pending, at)) /
+                    static_cast<float>(samples);
       }
-      const int samples = points ? light.samples : 1;
       Rgb sum(0);
       for (int k = 0; k < samples; ++k) {
         const LightSample sample = SampleLightByArea(
             light, at.point.position, points ? points->At(k) : V2f(0));
-        sum += Received(light, sample, at, counts);
+        sum += Received(light, sample, at, lobe_rays, counts);
       }
       radiance += sum / static_cast<float>(samples);
     }
@@ -182,14 +210,22 @@ class Whitted {
 
   /// What one sample of a light contributes. Called, so that `at` need not be
   /// in registers meanwhile.
+  /// @param lobe_rays for each sample.
   RTB_HD_CALLED Rgb Received(const LightData& light, const LightSample& sample,
-                             const Interaction& at, RayCounts* counts) const {
+                             const Interaction& at, float lobe_rays,
+                             RayCounts* counts) const {
     if (sample.irradiance == Rgb(0)) return Rgb(0);
-    const Rgb response = Response(at, sample.direction);
+    const Ray ray = ShadowRay(at.point, light, sample);
+    // Through glass the lobe's rays do not come straight.
+    if (lobe_rays > 0 && shading_.transparent && tracer_.Occluded(ray)) {
+      lobe_rays = 0;
+    }
+    const Rgb response =
+        lobe_rays > 0 ? LobeResponse(at, shading_.ggx_energy, sample, lobe_rays)
+                      : Response(at, sample.direction);
     if (response == Rgb(0)) return Rgb(0);
     ++counts->shadow;
-    return response * sample.irradiance *
-           tracer_.Transmittance(ShadowRay(at.point, light, sample));
+    return response * sample.irradiance * tracer_.Transmittance(ray);
   }
 
   /// f |cos|, and Phong's highlight, which takes no cosine.
@@ -212,19 +248,37 @@ class Whitted {
     }
   }
 
+  /// How many rays stand for the surface's rough lobe: fewer of what a mirror
+  /// or glass shows faintly, so that all of an eye ray's stay about as many,
+  /// and one of what a rough reflection shows.
+  RTB_HD int LobeRays(const Pending& pending, const Interaction& at) const {
+    if (!IsGlossy(at.bsdf) || pending.depth == max_depth_) return 0;
+    if (pending.siblings > 1) return 1;
+    int rays = kGlossyRays;
+    const float wanted = kGlossyRays * MaxComponent(pending.weight);
+    while (rays > 1 && 0.75f * static_cast<float>(rays) > wanted) rays /= 2;
+    return rays;
+  }
+
   RTB_HD void PushGlossy(const EyeSample& eye, const Pending& pending,
                          const Interaction& at) {
-    const int rays = pending.depth == 0 ? kGlossyRays : 1;
-    const StratifiedPoints points(eye, pending.branch, 0, rays);
+    const int rays = LobeRays(pending, at);
+    if (rays == 0) return;
+    const StratifiedPoints points(eye, pending.run, pending.branch, 0, rays);
     const V3f wo = at.ToLocal(at.outgoing);
     for (int k = 0; k < rays; ++k) {
       const BsdfSample sample =
           SampleGlossy(at.bsdf, shading_.ggx_energy, wo, points.At(k));
       const V3f direction = at.ToWorld(sample.wi);
       if (!(sample.pdf > 0) || !(direction.dot(at.geometric) > 0)) continue;
-      PushBounce(pending, at, direction,
-                 sample.weight / static_cast<float>(rays),
-                 static_cast<std::uint32_t>(2 + k), true);
+      Pending next = Bounce(pending, at, direction,
+                            sample.weight / static_cast<float>(rays), 2);
+      next.run = pending.run * static_cast<std::uint32_t>(rays) +
+                 static_cast<std::uint32_t>(k);
+      next.siblings = pending.siblings * rays;
+      next.fan = rays;
+      next.lobe_pdf = sample.pdf * static_cast<float>(rays);
+      Push(next);
     }
   }
 
@@ -235,8 +289,10 @@ class Whitted {
     const float f = FresnelDielectric(cosine, eta);
     PushMirrored(pending, at, Rgb(f));
     if (f < 1) {
-      PushBounce(pending, at, Refract(d, at.normal, eta),
-                 at.bsdf.color * (1 - f), 1, false, true);
+      Pending next = Bounce(pending, at, Refract(d, at.normal, eta),
+                            at.bsdf.color * (1 - f), 1);
+      next.refracted = true;
+      Push(next);
     }
   }
 
@@ -245,7 +301,8 @@ class Whitted {
   const int max_depth_;
   const float least_weight_;
   int size_ = 0;
-  // A popped ray pushes at most two, one level deeper; the eye ray more.
+  // A popped ray pushes at most two, one level deeper; once on each way down,
+  // those of a rough lobe.
   Pending stack_[kMaxDepth + kGlossyRays + 2];
 };
 

@@ -66,6 +66,16 @@ RTB_HD inline float LightPdf(const LightData& light, const V3f& position,
   return AreaPdf(light, direction, distance);
 }
 
+/// The density of SampleLightByArea, as LightPdf is that of SampleLight.
+RTB_HD inline float LightPdfByArea(const LightData& light, const V3f& position,
+                                   const V3f& direction, float distance) {
+  if (light.model != LightModel::kQuad) {
+    return LightPdf(light, position, direction, distance);
+  }
+  return ShinesAgainst(light, direction) ? AreaPdf(light, direction, distance)
+                                         : 0;
+}
+
 /// The radiance of a light's surface for a ray that has hit it: quads on the
 /// side of their normal, spheres from outside, triangles on both sides; 0 for
 /// lights without extent, which are invisible.

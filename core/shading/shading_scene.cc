@@ -29,6 +29,13 @@ Status SetBackground(const Background& background, ShadingScene* shading) {
   return {};
 }
 
+bool AnyTransparent(const std::vector<MaterialData>& materials) {
+  for (const MaterialData& material : materials) {
+    if (ShadowTransmittance(material) != Rgb(0)) return true;
+  }
+  return false;
+}
+
 bool AnyRough(const Scene& scene) {
   for (const Material& material : scene.materials) {
     if (RoughnessOf(material) > 0) return true;
@@ -43,6 +50,7 @@ Result<ShadingScene> MakeShadingScene(const Scene& scene) {
   if (AnyRough(scene)) shading.ggx_energy = MakeGgxEnergy();
   RTB_RETURN_IF_ERROR(MakeMaterials(scene, &shading));
   shading.materials.push_back(DefaultMaterial());
+  shading.transparent = AnyTransparent(shading.materials);
   RTB_RETURN_IF_ERROR(SetBackground(scene.background, &shading));
   shading.ambient = scene.settings.ambient;
   return shading;
@@ -71,6 +79,7 @@ ShadingView ViewOf(const ShadingScene& scene) {
   view.sphere_emitters = pointer(scene.emitters.spheres);
   view.use_emitters = pointer(scene.emitters.uses);
   view.unsampled_emitters = scene.unsampled_emitters;
+  view.transparent = scene.transparent;
   return view;
 }
 

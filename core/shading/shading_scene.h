@@ -48,6 +48,8 @@ struct ShadingScene {
   EmitterIndices emitters;
   /// Some emissive object can only be found by chance.
   bool unsampled_emitters = false;
+  /// Some material lets shadow rays pass.
+  bool transparent = false;
   /// For choosing among the lights and, last, the background.
   std::vector<float> light_cdf;
   int declared_lights = 0;
@@ -70,6 +72,7 @@ struct ShadingView {
   const int* sphere_emitters = nullptr;
   const int* use_emitters = nullptr;
   bool unsampled_emitters = false;
+  bool transparent = false;
 
   /// The material of that index; kNone is the default, the last one.
   RTB_HD const MaterialData& material(int index) const {
