@@ -8,6 +8,7 @@
 #include "core/base/host_device.h"
 #include "core/render/eye_sample.h"
 #include "core/render/lobe_light.h"
+#include "core/render/pending_ray.h"
 #include "core/render/ray_counts.h"
 #include "core/render/stratified_points.h"
 #include "core/shading/interaction.h"
@@ -45,7 +46,7 @@ class Whitted {
     Rgb radiance(0);
     Push({eye.ray, Rgb(1), 0, 1, eye.index, 1, 1, 0, false});
     while (size_ > 0) {
-      const Pending pending = stack_[--size_];
+      const PendingRay pending = stack_[--size_];
       Count(pending, counts);
       radiance += pending.weight * Shade(eye, pending, counts);
     }
@@ -56,23 +57,7 @@ class Whitted {
   /// Reflection rays of a rough surface that the eye ray meets. A power of 2.
   static constexpr int kGlossyRays = 16;
 
-  /// A ray whose radiance is still to be added, times its weight.
-  struct Pending {
-    Ray ray;
-    Rgb weight;
-    int depth;
-    std::uint32_t branch;  ///< Which of the eye ray's descendants it is, but
-                           ///< for siblings in one rough lobe.
-    std::uint32_t run;     ///< Among these, and those of the sample's other
-                           ///< eye rays: of StratifiedPoints.
-    int siblings;          ///< Its share of a rough lobe is 1 / siblings.
-    int fan;               ///< So many of them left the last surface.
-    float lobe_pdf;        ///< Per solid angle, times `fan`; 0 where no points
-                           ///< of lights stand for the ray too.
-    bool refracted;
-  };
-
-  RTB_HD static void Count(const Pending& pending, RayCounts* counts) {
+  RTB_HD static void Count(const PendingRay& pending, RayCounts* counts) {
     if (pending.depth == 0) {
       ++counts->camera;
     } else if (pending.refracted) {
@@ -82,39 +67,21 @@ class Whitted {
     }
   }
 
-  RTB_HD void Push(const Pending& pending) {
+  RTB_HD void Push(const PendingRay& pending) {
     if (pending.depth > max_depth_) return;
     if (MaxComponent(pending.weight) <= least_weight_) return;
     stack_[size_++] = pending;
   }
 
-  RTB_HD static Pending Bounce(const Pending& from, const Interaction& at,
-                               const V3f& direction, const Rgb& weight,
-                               std::uint32_t child) {
-    // Up to 16 children each; the hash of a long line of them may wrap.
-    Pending next{{},
-                 from.weight * weight,
-                 from.depth + 1,
-                 from.branch * 16 + child,
-                 from.run,
-                 from.siblings,
-                 1,
-                 0,
-                 false};
-    next.ray.origin = LeavingOrigin(at.point, direction);
-    next.ray.direction = direction;
-    return next;
-  }
-
-  RTB_HD void PushMirrored(const Pending& from, const Interaction& at,
+  RTB_HD void PushMirrored(const PendingRay& from, const Interaction& at,
                            const Rgb& weight) {
     const V3f mirrored = Reflect(from.ray.direction, at.normal);
-    Push(Bounce(from, at, at.AboveSurface(mirrored), weight, 0));
+    Push(ChildOf(from, at, at.AboveSurface(mirrored), weight, 0));
   }
 
   /// Radiance that the hit surface adds by itself; pushes what it reflects
   /// and transmits.
-  RTB_HD Rgb Shade(const EyeSample& eye, const Pending& pending,
+  RTB_HD Rgb Shade(const EyeSample& eye, const PendingRay& pending,
                    RayCounts* counts) {
     const Ray& ray = pending.ray;
     const Hit hit = tracer_.Closest(ray);
@@ -131,7 +98,7 @@ class Whitted {
   }
 
   /// A rough reflection of a light is in the lobe's direct light too.
-  RTB_HD float EmissionWeight(const Pending& pending, const Interaction& at,
+  RTB_HD float EmissionWeight(const PendingRay& pending, const Interaction& at,
                               float distance) const {
     if (!at.is_light || !(pending.lobe_pdf > 0)) return 1;
     const ObjectData& object = tracer_.geometry().objects[at.point.object];
@@ -141,7 +108,7 @@ class Whitted {
   }
 
   /// What the surface reflects and transmits.
-  RTB_HD void PushChildren(const EyeSample& eye, const Pending& pending,
+  RTB_HD void PushChildren(const EyeSample& eye, const PendingRay& pending,
                            const Interaction& at) {
     switch (at.bsdf.model) {
       case SurfaceModel::kMirror:
@@ -165,7 +132,7 @@ class Whitted {
   }
 
   /// Direct light, and for what is not metal the ambient light.
-  RTB_HD Rgb LightOf(const EyeSample& eye, const Pending& pending,
+  RTB_HD Rgb LightOf(const EyeSample& eye, const PendingRay& pending,
                      const Interaction& at, RayCounts* counts) const {
     const Rgb direct = DirectLight(eye, pending, at, counts);
     return at.bsdf.model == SurfaceModel::kMetal ? direct
@@ -182,7 +149,7 @@ class Whitted {
   }
 
   /// Light of all lights that the surface sends to the viewer.
-  RTB_HD Rgb DirectLight(const EyeSample& eye, const Pending& pending,
+  RTB_HD Rgb DirectLight(const EyeSample& eye, const PendingRay& pending,
                          const Interaction& at, RayCounts* counts) const {
     Rgb radiance(0);
     for (int i = 0; i < shading_.declared_lights; ++i) {
@@ -238,7 +205,7 @@ class Whitted {
     return EvalDiffuse(at.bsdf, wo, wi) * wi.z + EvalPhong(at.bsdf, wo, wi);
   }
 
-  RTB_HD void PushReflected(const EyeSample& eye, const Pending& pending,
+  RTB_HD void PushReflected(const EyeSample& eye, const PendingRay& pending,
                             const Interaction& at) {
     if (at.bsdf.alpha == 0) {
       const float cosine = std::min(1.0f, at.outgoing.dot(at.normal));
@@ -251,7 +218,7 @@ class Whitted {
   /// How many rays stand for the surface's rough lobe: fewer of what a mirror
   /// or glass shows faintly, so that all of an eye ray's stay about as many,
   /// and one of what a rough reflection shows.
-  RTB_HD int LobeRays(const Pending& pending, const Interaction& at) const {
+  RTB_HD int LobeRays(const PendingRay& pending, const Interaction& at) const {
     if (!IsGlossy(at.bsdf) || pending.depth == max_depth_) return 0;
     if (pending.siblings > 1) return 1;
     int rays = kGlossyRays;
@@ -260,7 +227,7 @@ class Whitted {
     return rays;
   }
 
-  RTB_HD void PushGlossy(const EyeSample& eye, const Pending& pending,
+  RTB_HD void PushGlossy(const EyeSample& eye, const PendingRay& pending,
                          const Interaction& at) {
     const int rays = LobeRays(pending, at);
     if (rays == 0) return;
@@ -271,8 +238,8 @@ class Whitted {
           SampleGlossy(at.bsdf, shading_.ggx_energy, wo, points.At(k));
       const V3f direction = at.ToWorld(sample.wi);
       if (!(sample.pdf > 0) || !(direction.dot(at.geometric) > 0)) continue;
-      Pending next = Bounce(pending, at, direction,
-                            sample.weight / static_cast<float>(rays), 2);
+      PendingRay next = ChildOf(pending, at, direction,
+                                sample.weight / static_cast<float>(rays), 2);
       next.run = pending.run * static_cast<std::uint32_t>(rays) +
                  static_cast<std::uint32_t>(k);
       next.siblings = pending.siblings * rays;
@@ -282,15 +249,15 @@ class Whitted {
     }
   }
 
-  RTB_HD void PushDielectric(const Pending& pending, const Interaction& at) {
+  RTB_HD void PushDielectric(const PendingRay& pending, const Interaction& at) {
     const V3f& d = pending.ray.direction;
     const float eta = at.from_outside ? 1 / at.bsdf.ior : at.bsdf.ior;
     const float cosine = std::min(1.0f, -d.dot(at.normal));
     const float f = FresnelDielectric(cosine, eta);
     PushMirrored(pending, at, Rgb(f));
     if (f < 1) {
-      Pending next = Bounce(pending, at, Refract(d, at.normal, eta),
-                            at.bsdf.color * (1 - f), 1);
+      PendingRay next = ChildOf(pending, at, Refract(d, at.normal, eta),
+                                at.bsdf.color * (1 - f), 1);
       next.refracted = true;
       Push(next);
     }
@@ -303,7 +270,7 @@ class Whitted {
   int size_ = 0;
   // A popped ray pushes at most two, one level deeper; once on each way down,
   // those of a rough lobe.
-  Pending stack_[kMaxDepth + kGlossyRays + 2];
+  PendingRay stack_[kMaxDepth + kGlossyRays + 2];
 };
 
 }  // namespace rtb
