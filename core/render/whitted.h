@@ -67,9 +67,16 @@ class Whitted {
     }
   }
 
+  /// Siblings in a rough lobe weigh as if each were the whole lobe, so that
+  /// their number does not matter.
+  RTB_HD bool IsDim(const PendingRay& pending, const Rgb& weight) const {
+    return MaxComponent(weight) * static_cast<float>(pending.siblings) <=
+           least_weight_;
+  }
+
   RTB_HD void Push(const PendingRay& pending) {
     if (pending.depth > max_depth_) return;
-    if (MaxComponent(pending.weight) <= least_weight_) return;
+    if (IsDim(pending, pending.weight)) return;
     stack_[size_++] = pending;
   }
 
@@ -217,9 +224,15 @@ class Whitted {
 
   /// How many rays stand for the surface's rough lobe: fewer of what a mirror
   /// or glass shows faintly, so that all of an eye ray's stay about as many,
-  /// and one of what a rough reflection shows.
+  /// and one of what a rough reflection shows. All of them or none are worth
+  /// following: points of lights leave to them what they may bring.
   RTB_HD int LobeRays(const PendingRay& pending, const Interaction& at) const {
     if (!IsGlossy(at.bsdf) || pending.depth == max_depth_) return 0;
+    const float cosine = std::min(1.0f, at.outgoing.dot(at.normal));
+    if (least_weight_ > 0 &&
+        IsDim(pending, pending.weight * SpecularFresnel(at.bsdf, cosine))) {
+      return 0;
+    }
     if (pending.siblings > 1) return 1;
     int rays = kGlossyRays;
     const float wanted = kGlossyRays * MaxComponent(pending.weight);
@@ -238,6 +251,7 @@ class Whitted {
           SampleGlossy(at.bsdf, shading_.ggx_energy, wo, points.At(k));
       const V3f direction = at.ToWorld(sample.wi);
       if (!(sample.pdf > 0) || !(direction.dot(at.geometric) > 0)) continue;
+      if (sample.weight == Rgb(0)) continue;
       PendingRay next = ChildOf(pending, at, direction,
                                 sample.weight / static_cast<float>(rays), 2);
       next.run = pending.run * static_cast<std::uint32_t>(rays) +
@@ -245,7 +259,7 @@ class Whitted {
       next.siblings = pending.siblings * rays;
       next.fan = rays;
       next.lobe_pdf = sample.pdf * static_cast<float>(rays);
-      Push(next);
+      stack_[size_++] = next;
     }
   }
 
