@@ -225,8 +225,10 @@ class Whitted {
   /// How many rays stand for the surface's rough lobe: fewer of what a mirror
   /// or glass shows faintly, so that all of an eye ray's stay about as many,
   /// and one of what a rough reflection shows. All of them or none are worth
-  /// following: points of lights leave to them what they may bring.
-  RTB_HD int LobeRays(const PendingRay& pending, const Interaction& at) const {
+  /// following: points of lights leave to them what they may bring. Called:
+  /// inlined twice, it makes the kernel spill registers.
+  RTB_HD_CALLED int LobeRays(const PendingRay& pending,
+                             const Interaction& at) const {
     if (!IsGlossy(at.bsdf) || pending.depth == max_depth_) return 0;
     const float cosine = std::min(1.0f, at.outgoing.dot(at.normal));
     if (least_weight_ > 0 &&
