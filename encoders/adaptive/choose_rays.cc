@@ -16,8 +16,8 @@ constexpr int kGrain = 480;
 
 /// Cells take turns, those of the largest gains first: these want many rays,
 /// and from what they gain follows how little is too little for others. In
-/// squared gains over those of the least that is known to be wanted.
-constexpr std::array<float, 3> kTurns = {16, 3, 1};
+/// gains over the least that is known to be wanted.
+constexpr std::array<float, 3> kTurns = {4, 1.75f, 1};
 
 /// Of equal gains those of a cell's first rays count first.
 constexpr std::size_t kFew = 2;
@@ -43,7 +43,10 @@ class Chooser {
       : map_(map), samples_(samples), request_(request) {
     const int cells = samples.grid().cells();
     parts_.resize(static_cast<std::size_t>((cells + kGrain - 1) / kGrain));
-    for (const float gain : map.best_gains()) threshold_.Add(gain);
+    for (int cell = 0; cell < cells; ++cell) {
+      if (samples.count(cell) == kMostPerCell) continue;
+      threshold_.Add(map.best_gains()[static_cast<std::size_t>(cell)]);
+    }
     // That many cells have a ray that gains this much: none below is wanted.
     least_ = threshold_.Of(request.rays).from;
   }

@@ -17,9 +17,9 @@ class GainThreshold {
 
   /// Where the count-th largest gain lies.
   struct Class {
-    float from = 0;   ///< Its class: [from, to); [0, infinity) with fewer.
+    float from = 0;  ///< Its class: [from, to); [0, infinity) with fewer.
     float to = std::numeric_limits<float>::infinity();
-    int above = 0;    ///< Gains in the classes above.
+    int above = 0;  ///< Gains in the classes above.
   };
   Class Of(int count) const {
     int above = 0;

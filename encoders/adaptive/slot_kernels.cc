@@ -31,8 +31,7 @@ struct EnteredSample {
 HWY_INLINE F AwayFrom(const float* index, int first, float at, int slot,
                       int most, float pitch) {
   const F slots = hn::Add(Load(index), Same(static_cast<float>(first)));
-  const F away =
-      hn::Mul(hn::Add(slots, Same(0.5f - at)), Same(pitch));
+  const F away = hn::Mul(hn::Add(slots, Same(0.5f - at)), Same(pitch));
   const F steps = hn::Abs(hn::Sub(slots, Same(static_cast<float>(slot))));
   return hn::IfThenElse(hn::Le(steps, Same(static_cast<float>(most))),
                         hn::Mul(away, away), Same(kFar2));
@@ -71,8 +70,9 @@ HWY_INLINE void EnterSample(const EnteredSample& entered, int first, int last,
                             const SlotGrid& slots) {
   const int columns = slots.grid.columns;
   const int left = std::max(0, entered.x - entered.across) / kSlotColumns;
-  const int right = std::min(columns * kSlotColumns - 1,
-                             entered.x + entered.across) / kSlotColumns;
+  const int right =
+      std::min(columns * kSlotColumns - 1, entered.x + entered.across) /
+      kSlotColumns;
   const int top = std::max(first * kSlotRows, entered.y - entered.down);
   const int bottom =
       std::min((last + 1) * kSlotRows - 1, entered.y + entered.down);
@@ -91,10 +91,9 @@ void EnterAll(std::span<const SeenSample> samples,
     const SeenSample& sample = samples[i];
     const int column = sample.cell % slots.grid.columns;
     const int row = sample.cell / slots.grid.columns;
-    const V2f at =
-        (V2f(static_cast<float>(column), static_cast<float>(row)) +
-         sample.position) *
-        V2f(kSlotColumns, kSlotRows);
+    const V2f at = (V2f(static_cast<float>(column), static_cast<float>(row)) +
+                    sample.position) *
+                   V2f(kSlotColumns, kSlotRows);
     const EnteredSample entered = {
         sample,
         at,
@@ -139,7 +138,7 @@ HWY_INLINE float CompareCell(const SlotGrid& slots, std::ptrdiff_t cell,
     F contrast = hn::Max(hn::Add(hn::Add(r.beside, g.beside), b.beside),
                          hn::Add(hn::Add(r.above, g.above), b.above));
     contrast = hn::Add(contrast, Same(least));
-    if (!root) contrast = hn::Mul(contrast, contrast);
+    if (root) contrast = hn::Sqrt(contrast);
     Store(contrast, slots.contrast + from + i);
     best = hn::Max(best, GainOf(contrast, Load(slots.distance2 + from + i),
                                 Load(slots.extent + from + i)));

@@ -1,6 +1,6 @@
 /// @file
-/// The inner loops over slots, by vectors: VoronoiMap's and ChooseRays'. Highway
-/// chooses the instruction set at run time; all give the same bits.
+/// The inner loops over slots, by vectors: VoronoiMap's and ChooseRays'.
+/// Highway chooses the instruction set at run time; all give the same bits.
 #pragma once
 
 #include <cstddef>

@@ -62,8 +62,7 @@ HWY_INLINE std::uint32_t BitsOf(M mask) {
 /// The function of that name in slots.h.
 HWY_INLINE F GainOf(F contrast, F distance2, F extent) {
   const F area = hn::Add(distance2, extent);
-  const F area2 = hn::Mul(area, area);
-  return hn::Mul(hn::Mul(contrast, hn::Mul(area2, area2)), area);
+  return hn::Mul(hn::Mul(hn::Mul(contrast, area), area), hn::Sqrt(area));
 }
 
 /// @name Of the slots from i on their neighbors.
@@ -72,12 +71,13 @@ HWY_INLINE F GainOf(F contrast, F distance2, F extent) {
 /// @{
 #if HWY_TARGET == HWY_SCALAR
 HWY_INLINE F LeftOf(const float* cell, int i) {
-  return Load(cell + i - 1 - (i % kSlotColumns == 0 ? kSlots - kSlotColumns : 0));
+  return Load(cell + i - 1 -
+              (i % kSlotColumns == 0 ? kSlots - kSlotColumns : 0));
 }
 HWY_INLINE F RightOf(const float* cell, int i) {
-  return Load(cell + i + 1 +
-              (i % kSlotColumns == kSlotColumns - 1 ? kSlots - kSlotColumns
-                                                    : 0));
+  return Load(
+      cell + i + 1 +
+      (i % kSlotColumns == kSlotColumns - 1 ? kSlots - kSlotColumns : 0));
 }
 HWY_INLINE F AboveOf(const float* cell, int i, std::ptrdiff_t row) {
   return Load(cell + i - kSlotColumns + (i < kSlotColumns ? kSlots - row : 0));
@@ -99,9 +99,9 @@ HWY_INLINE F AboveOf(const float* cell, int i, std::ptrdiff_t row) {
   const F above = Load(cell + i - kSlotColumns);
   if (i > 0) return above;
   const SlotFloats d;
-  return hn::IfThenElse(
-      hn::FirstN(d, kSlotColumns),
-      hn::LoadDup128(d, cell - row + kSlots - kSlotColumns), above);
+  return hn::IfThenElse(hn::FirstN(d, kSlotColumns),
+                        hn::LoadDup128(d, cell - row + kSlots - kSlotColumns),
+                        above);
 }
 HWY_INLINE F BelowOf(const float* cell, int i, std::ptrdiff_t row) {
   const F below = Load(cell + i + kSlotColumns);
@@ -156,8 +156,7 @@ class CellGains {
         dx2 = Away(kPlaces.column + i, kSlotColumns, position.x,
                    choice_.cell_width);
       }
-      const F dy2 =
-          Away(kPlaces.row + i, kSlotRows, position.y, kCellHeight);
+      const F dy2 = Away(kPlaces.row + i, kSlotRows, position.y, kCellHeight);
       const auto here =
           hn::Eq(hn::Iota(SlotFloats(), static_cast<float>(i)), at);
       Put(i, hn::Min(Load(distance2_ + i), hn::Add(dx2, dy2)),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "core/math/vec.h"
@@ -27,7 +28,7 @@ inline constexpr std::uint32_t kLastRow = 0xF0000000;
 
 /// A squared distance before there is a sample. Finite, as are the gains of
 /// such slots.
-inline constexpr float kFar2 = 1e6f;
+inline constexpr float kFar2 = 1e9f;
 
 /// How far from its slot's center a sample may lie, over all that the slot
 /// has: the first one near it, which spreads samples evenly, others anywhere.
@@ -52,23 +53,20 @@ inline float WithOneMore(float extent) {
   return 1 / (1 / extent + 1 / kEmptySlot);
 }
 
-/// The square of what a sample lowers the error of what is shown by. A mean over
-/// areas that have one sample each errs by the sum of their squared areas times
-/// the variances in them (stratified sampling: Cochran, "Sampling Techniques",
+/// By how much a sample lowers the error of what is shown. A mean over areas
+/// that have one sample each errs by the sum of their squared areas times the
+/// variances in them (stratified sampling: Cochran, "Sampling Techniques",
 /// 1977, chapter 5); and the area that a sample stands for grows with the
 /// squared distance from it. The root more is what experiments added: it keeps
-/// texture from being passed over where two samples happen to agree. Gains are
-/// only ever compared, and squared they need no root.
-/// @param contrast squared too, see CellSlots.
+/// texture from being passed over where two samples happen to agree.
 inline float Gain(float contrast, float distance2, float extent) {
   const float area = distance2 + extent;
-  const float area2 = area * area;
-  return contrast * (area2 * area2) * area;
+  return contrast * area * area * std::sqrt(area);
 }
 
 /// What is known about the slots of one cell.
 struct CellSlots {
-  std::array<float, kSlots> contrast;   ///< Squared; see VoronoiMap.
+  std::array<float, kSlots> contrast;   ///< See VoronoiMap.
   std::array<float, kSlots> distance2;  ///< To the nearest sample, squared.
   std::array<float, kSlots> extent;     ///< See WithOneMore.
 };

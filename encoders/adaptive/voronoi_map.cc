@@ -97,9 +97,9 @@ void VoronoiMap::RepeatBorder() {
 }
 
 CellChoice VoronoiMap::ChoiceIn(int cell) const {
-  const auto from = slots_.At(cell % slots_.grid.columns,
-                              cell / slots_.grid.columns) *
-                    kSlots;
+  const auto from =
+      slots_.At(cell % slots_.grid.columns, cell / slots_.grid.columns) *
+      kSlots;
   CellChoice choice;
   choice.contrast = slots_.contrast + from;
   choice.distance2 = slots_.distance2 + from;

@@ -33,7 +33,7 @@ class VoronoiMap {
   /// The slots of one cell. A slot's contrast is the larger one of those
   /// between its neighbors to the left and right, and above and below: the
   /// squared distance of the encoded colors of the samples that are nearest to
-  /// them, or its root; and squared as gains are.
+  /// them, or its root.
   CellSlots Slots(int cell) const;
 
   /// What to choose one of a cell's rays from: its slots, without the rest.
