@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 
@@ -15,9 +16,10 @@ namespace {
 constexpr int kGrain = 480;
 
 /// Cells take turns, those of the largest gains first: these want many rays,
-/// and from what they gain follows how little is too little for others. In
-/// gains over the least that is known to be wanted.
-constexpr std::array<float, 3> kTurns = {4, 1.75f, 1};
+/// and from what they gain follows how little is too little for others. A turn
+/// ends with the cell that would be the last one if so many 16ths of the rays
+/// went to a cell each.
+constexpr std::array<int, 7> kTurns = {2, 3, 4, 5, 7, 10, 16};
 
 /// Of equal gains those of a cell's first rays count first.
 constexpr std::size_t kFew = 2;
@@ -47,14 +49,20 @@ class Chooser {
       if (samples.count(cell) == kMostPerCell) continue;
       threshold_.Add(map.best_gains()[static_cast<std::size_t>(cell)]);
     }
-    // That many cells have a ray that gains this much: none below is wanted.
-    least_ = threshold_.Of(request.rays).from;
   }
 
   std::vector<RayChoice> Choose() {
+    std::array<float, kTurns.size()> ends;
+    std::ranges::transform(kTurns, ends.begin(), [this](int part) {
+      const std::int64_t rays = std::int64_t{request_.rays} * part / 16;
+      return threshold_.Of(static_cast<int>(rays)).from;
+    });
+    // That many cells have a ray that gains this much: none below is wanted.
+    least_ = ends.back();
     float below = std::numeric_limits<float>::infinity();
-    for (const float turn : kTurns) {
-      const float from = std::min(below, std::max(1.0f, turn) * least_);
+    for (const float end : ends) {
+      const float from = std::min(below, std::max(end, least_));
+      if (from == below) continue;
       FindRays(from, below);
       below = from;
       RaiseLeast();

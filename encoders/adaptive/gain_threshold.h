@@ -2,6 +2,7 @@
 /// GainThreshold: about what the last of the wanted rays gains.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -13,7 +14,11 @@ namespace rtb {
 /// Counts gains (0 or more) in classes of 1/16 of a power of 2.
 class GainThreshold {
  public:
-  void Add(float gain) { ++counts_[ClassOf(gain)]; }
+  void Add(float gain) {
+    const std::size_t place = ClassOf(gain);
+    ++counts_[place];
+    end_ = std::max(end_, place + 1);
+  }
 
   /// Where the count-th largest gain lies.
   struct Class {
@@ -23,7 +28,7 @@ class GainThreshold {
   };
   Class Of(int count) const {
     int above = 0;
-    for (std::size_t i = kClasses; i-- > 0;) {
+    for (std::size_t i = end_; i-- > 0;) {
       if (above + counts_[i] >= count) {
         return {LowerEnd(i), LowerEnd(i + 1), above};
       }
@@ -44,6 +49,7 @@ class GainThreshold {
   }
 
   std::array<int, kClasses> counts_{};
+  std::size_t end_ = 0;  ///< No class from here on has any.
 };
 
 }  // namespace rtb

@@ -173,16 +173,23 @@ HWY_INLINE V2f Jittered(int slot, float jitter, const CellChoice& choice,
 int ChooseRaysInCell(const CellChoice& choice, RayChoice* out) {
   CellGains cell(choice);
   for (int i = 0; i < choice.most; ++i) {
-    if (!cell.AnyFrom(choice.least)) return i;
+    const std::size_t slots = cell.CountFrom(choice.least);
+    if (slots == 0) return i;
     const BestSlot best = cell.Best();
     const bool first = best.extent == kEmptySlot;
     const V2f position = Jittered(best.slot, first ? kFirstJitter : kJitter,
                                   choice, choice.seen + i);
     const float reach = kReach * std::sqrt(best.distance2) + kLeastReach;
     out[i] = {choice.cell, position, best.gain, std::min(reach, kCellHeight)};
-    if (i + 1 < choice.most) {
-      cell.Expect(best.slot, WithOneMore(best.extent), position);
+    if (i + 1 == choice.most) break;
+    // The usual one needs no division.
+    const float extent =
+        first ? WithOneMore(kEmptySlot) : WithOneMore(best.extent);
+    // No sample makes another slot gain more.
+    if (slots == 1 && cell.GainAfter(best, extent, position) < choice.least) {
+      return i + 1;
     }
+    cell.Expect(best.slot, extent, position);
   }
   return choice.most;
 }
