@@ -15,6 +15,9 @@ namespace {
 /// Cells that a thread takes at once.
 constexpr int kGrain = 480;
 
+/// Cells so much later are fetched from memory already.
+constexpr std::size_t kAhead = 4;
+
 /// Cells take turns, those of the largest gains first: these want many rays,
 /// and from what they gain follows how little is too little for others. A turn
 /// ends with the cell that would be the last one if so many 16ths of the rays
@@ -75,30 +78,46 @@ class Chooser {
   void FindRays(float from, float below) {
     ParallelFor(samples_.grid().cells(), kGrain, request_.threads,
                 [&](int begin, int end) {
-                  Part& part = parts_[static_cast<std::size_t>(begin / kGrain)];
-                  part.at.resize(kGrain);
-                  part.counts.resize(kGrain);
-                  for (int cell = begin; cell < end; ++cell) {
-                    const float gain =
-                        map_.best_gains()[static_cast<std::size_t>(cell)];
-                    if (gain < from || gain >= below) continue;
-                    FindInCell(cell, static_cast<std::size_t>(cell - begin),
-                               part);
-                  }
+                  FindIn(CellsOf(begin, end, from, below), begin,
+                         parts_[static_cast<std::size_t>(begin / kGrain)]);
                 });
   }
 
-  void FindInCell(int cell, std::size_t place, Part& part) const {
-    CellChoice choice = map_.ChoiceIn(cell);
-    choice.seen = samples_.count(cell);
-    choice.most = std::min(request_.most_per_cell, kMostPerCell - choice.seen);
-    choice.least = least_;
-    choice.seed = request_.seed;
+  /// Some cells, by rising numbers.
+  struct Cells {
+    std::array<int, kGrain> cells;
+    std::size_t count = 0;
+  };
+  Cells CellsOf(int begin, int end, float from, float below) const {
+    Cells found;
+    for (int cell = begin; cell < end; ++cell) {
+      const float gain = map_.best_gains()[static_cast<std::size_t>(cell)];
+      found.cells[found.count] = cell;
+      // Without a branch, which would be a guess.
+      found.count += static_cast<std::size_t>((gain >= from) & (gain < below));
+    }
+    return found;
+  }
+
+  void FindIn(const Cells& cells, int begin, Part& part) const {
+    part.at.resize(kGrain);
+    part.counts.resize(kGrain);
     std::array<RayChoice, kMostPerCell> found;
-    const int count = ChooseInCell(choice, found.data());
-    part.at[place] = static_cast<std::uint32_t>(part.rays.size());
-    part.counts[place] = static_cast<std::uint8_t>(count);
-    part.rays.insert(part.rays.end(), found.begin(), found.begin() + count);
+    for (std::size_t i = 0; i < cells.count; ++i) {
+      map_.Prefetch(cells.cells[std::min(i + kAhead, cells.count - 1)]);
+      const int cell = cells.cells[i];
+      CellChoice choice = map_.ChoiceIn(cell);
+      choice.seen = samples_.count(cell);
+      choice.most =
+          std::min(request_.most_per_cell, kMostPerCell - choice.seen);
+      choice.least = least_;
+      choice.seed = request_.seed;
+      const int count = ChooseInCell(choice, found.data());
+      const auto place = static_cast<std::size_t>(cell - begin);
+      part.at[place] = static_cast<std::uint32_t>(part.rays.size());
+      part.counts[place] = static_cast<std::uint8_t>(count);
+      part.rays.insert(part.rays.end(), found.begin(), found.begin() + count);
+    }
   }
 
   /// A cell's best gain has been counted already.

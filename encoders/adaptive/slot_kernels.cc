@@ -37,26 +37,31 @@ HWY_INLINE F AwayFrom(const float* index, int first, float at, int slot,
                         hn::Mul(away, away), Same(kFar2));
 }
 
+/// Of the slots of a row of cells the squared distances along y.
+struct RowDistances {
+  F of[kVectors];
+};
+
 /// One cell against one sample.
-HWY_INLINE void EnterCell(const EnteredSample& entered, int column, int row,
-                          const SlotGrid& slots) {
+HWY_INLINE void EnterCell(const EnteredSample& entered, const RowDistances& dy2,
+                          int column, int row, const SlotGrid& slots) {
   const SlotFloats d;
   const auto cell = slots.At(column, row);
   const Rgb& color = entered.sample.encoded;
   std::uint32_t changed = 0;
   F dx2 = Same(0.0f);
-  for (int i = 0; i < kSlots; i += Lanes()) {
+  for (int v = 0; v < kVectors; ++v) {
+    const int i = v * kLanes;
     if (NewColumns(i)) {
       dx2 = AwayFrom(kPlaces.column + i, column * kSlotColumns, entered.at.x,
                      entered.x, entered.across, slots.pitch.x);
     }
-    const F dy2 = AwayFrom(kPlaces.row + i, row * kSlotRows, entered.at.y,
-                           entered.y, entered.down, slots.pitch.y);
     const auto at = cell * kSlots + i;
-    const F now = hn::Add(dx2, dy2);
+    const F now = hn::Add(dx2, dy2.of[v]);
     const F before = Load(slots.distance2 + at);
     const auto nearer = hn::Lt(now, before);
     if (hn::AllFalse(d, nearer)) continue;
+    // Whole, since it is soon read again.
     Store(hn::IfThenElse(nearer, now, before), slots.distance2 + at);
     hn::BlendedStore(Same(color.x), nearer, d, slots.r + at);
     hn::BlendedStore(Same(color.y), nearer, d, slots.g + at);
@@ -78,8 +83,14 @@ HWY_INLINE void EnterSample(const EnteredSample& entered, int first, int last,
       std::min((last + 1) * kSlotRows - 1, entered.y + entered.down);
   if (top > bottom) return;
   for (int row = top / kSlotRows; row <= bottom / kSlotRows; ++row) {
+    RowDistances dy2;
+    for (int v = 0; v < kVectors; ++v) {
+      dy2.of[v] =
+          AwayFrom(kPlaces.row + v * kLanes, row * kSlotRows, entered.at.y,
+                   entered.y, entered.down, slots.pitch.y);
+    }
     for (int column = left; column <= right; ++column) {
-      EnterCell(entered, column, row, slots);
+      EnterCell(entered, dy2, column, row, slots);
     }
   }
 }
@@ -108,7 +119,9 @@ void EnterAll(std::span<const SeenSample> samples,
     const auto cell = slots.At(column, row);
     slots.changed[cell] |= std::uint32_t{1} << slot;
     float& extent = slots.extent[cell * kSlots + slot];
-    extent = WithOneMore(extent);
+    // The usual one needs no division.
+    extent =
+        extent == kEmptySlot ? WithOneMore(kEmptySlot) : WithOneMore(extent);
   }
 }
 
@@ -131,7 +144,7 @@ HWY_INLINE float CompareCell(const SlotGrid& slots, std::ptrdiff_t cell,
   const auto from = cell * kSlots;
   const auto row = slots.stride() * kSlots;
   F best = Same(0.0f);
-  for (int i = 0; i < kSlots; i += Lanes()) {
+  for (int i = 0; i < kSlots; i += kLanes) {
     const Across r = AcrossOf(slots.r + from, i, row);
     const Across g = AcrossOf(slots.g + from, i, row);
     const Across b = AcrossOf(slots.b + from, i, row);

@@ -47,10 +47,11 @@ struct SlotPlaces {
 };
 inline constexpr SlotPlaces kPlaces;
 
-HWY_INLINE int Lanes() { return static_cast<int>(hn::Lanes(SlotFloats())); }
+inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(SlotFloats()));
+inline constexpr int kVectors = kSlots / kLanes;  ///< Of a cell.
 
 /// Whether the slots from i on have other columns than those before.
-HWY_INLINE bool NewColumns(int i) { return i == 0 || Lanes() < kSlotColumns; }
+HWY_INLINE bool NewColumns(int i) { return i == 0 || kLanes < kSlotColumns; }
 
 /// A bit for each lane.
 HWY_INLINE std::uint32_t BitsOf(M mask) {
@@ -105,10 +106,10 @@ HWY_INLINE F AboveOf(const float* cell, int i, std::ptrdiff_t row) {
 }
 HWY_INLINE F BelowOf(const float* cell, int i, std::ptrdiff_t row) {
   const F below = Load(cell + i + kSlotColumns);
-  if (i + Lanes() < kSlots) return below;
+  if (i + kLanes < kSlots) return below;
   const SlotFloats d;
   return hn::IfThenElse(
-      hn::FirstN(d, static_cast<std::size_t>(Lanes() - kSlotColumns)), below,
+      hn::FirstN(d, static_cast<std::size_t>(kLanes - kSlotColumns)), below,
       hn::LoadDup128(d, cell + row));
 }
 #endif
@@ -188,9 +189,6 @@ class CellGains {
   }
 
  private:
-  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(SlotFloats()));
-  static constexpr int kVectors = kSlots / kLanes;
-
   /// The squared distance of slots from a place, along one axis.
   static HWY_INLINE F Away(const float* index, int count, float place,
                            float size) {

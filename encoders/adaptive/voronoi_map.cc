@@ -1,5 +1,7 @@
 #include "encoders/adaptive/voronoi_map.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -107,6 +109,16 @@ CellChoice VoronoiMap::ChoiceIn(int cell) const {
   choice.cell_width = cell_width_;
   choice.cell = cell;
   return choice;
+}
+
+void VoronoiMap::Prefetch(int cell) const {
+  constexpr int kLine = 64 / sizeof(float);
+  const CellChoice choice = ChoiceIn(cell);
+  for (int i = 0; i < kSlots; i += kLine) {
+    hwy::Prefetch(choice.contrast + i);
+    hwy::Prefetch(choice.distance2 + i);
+    hwy::Prefetch(choice.extent + i);
+  }
 }
 
 CellSlots VoronoiMap::Slots(int cell) const {

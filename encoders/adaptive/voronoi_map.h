@@ -39,6 +39,9 @@ class VoronoiMap {
   /// What to choose one of a cell's rays from: its slots, without the rest.
   CellChoice ChoiceIn(int cell) const;
 
+  /// Fetches what ChoiceIn will point to.
+  void Prefetch(int cell) const;
+
   /// The largest gain among the slots of each cell.
   std::span<const float> best_gains() const { return best_gains_; }
 
