@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/random.h"
-
 // This file is compiled once for each target.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "encoders/adaptive/slot_kernels.cc"
@@ -173,40 +171,6 @@ void CompareRow(const SlotGrid& slots, int row, float least, bool root,
   }
 }
 
-HWY_INLINE V2f Jittered(int slot, float jitter, const CellChoice& choice,
-                        int number) {
-  const auto pixel = static_cast<std::uint32_t>(choice.cell);
-  const auto sample = static_cast<std::uint32_t>(number);
-  const V2f unit(UnitFloat(RandomBits(pixel, sample, 0, choice.seed)),
-                 UnitFloat(RandomBits(pixel, sample, 1, choice.seed)));
-  return SlotCenter(slot) + (unit - V2f(0.5f, 0.5f)) *
-                                V2f(jitter / kSlotColumns, jitter / kSlotRows);
-}
-
-int ChooseRaysInCell(const CellChoice& choice, RayChoice* out) {
-  CellGains cell(choice);
-  for (int i = 0; i < choice.most; ++i) {
-    const std::size_t slots = cell.CountFrom(choice.least);
-    if (slots == 0) return i;
-    const BestSlot best = cell.Best();
-    const bool first = best.extent == kEmptySlot;
-    const V2f position = Jittered(best.slot, first ? kFirstJitter : kJitter,
-                                  choice, choice.seen + i);
-    const float reach = kReach * std::sqrt(best.distance2) + kLeastReach;
-    out[i] = {choice.cell, position, best.gain, std::min(reach, kCellHeight)};
-    if (i + 1 == choice.most) break;
-    // The usual one needs no division.
-    const float extent =
-        first ? WithOneMore(kEmptySlot) : WithOneMore(best.extent);
-    // No sample makes another slot gain more.
-    if (slots == 1 && cell.GainAfter(best, extent, position) < choice.least) {
-      return i + 1;
-    }
-    cell.Expect(best.slot, extent, position);
-  }
-  return choice.most;
-}
-
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace rtb
@@ -217,7 +181,6 @@ namespace rtb {
 
 HWY_EXPORT(EnterAll);
 HWY_EXPORT(CompareRow);
-HWY_EXPORT(ChooseRaysInCell);
 
 void EnterSamples(std::span<const SeenSample> samples,
                   std::span<const float> reaches, int first, int last,
@@ -228,10 +191,6 @@ void EnterSamples(std::span<const SeenSample> samples,
 void CompareSlots(const SlotGrid& slots, int row, float least, bool root,
                   float* best) {
   HWY_DYNAMIC_DISPATCH(CompareRow)(slots, row, least, root, best);
-}
-
-int ChooseInCell(const CellChoice& choice, RayChoice* out) {
-  return HWY_DYNAMIC_DISPATCH(ChooseRaysInCell)(choice, out);
 }
 
 }  // namespace rtb

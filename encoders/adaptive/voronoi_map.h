@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "encoders/adaptive/choose_in_cell.h"
 #include "encoders/adaptive/slot_kernels.h"
 
 namespace rtb {

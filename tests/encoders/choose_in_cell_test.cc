@@ -1,5 +1,7 @@
 // Every vector instruction set chooses the rays of a cell that plain loops over
 // its slots do, bit for bit.
+#include "encoders/adaptive/choose_in_cell.h"
+
 #include <gtest/gtest.h>
 
 #include "tests/encoders/plain_slots.h"

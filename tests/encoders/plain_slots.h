@@ -1,5 +1,5 @@
 /// @file
-/// What slot_kernels.h and choose_rays.h do, by plain loops over the slots.
+/// What choose_in_cell.h and choose_rays.h do, by plain loops over the slots.
 #pragma once
 
 #include <algorithm>
