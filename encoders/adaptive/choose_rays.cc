@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "encoders/adaptive/gain_threshold.h"
+#include "encoders/adaptive/found_rays.h"
 
 namespace rtb {
 namespace {
@@ -23,22 +22,6 @@ constexpr std::size_t kAhead = 4;
 /// ends with the cell that would be the last one if so many 16ths of the rays
 /// went to a cell each.
 constexpr std::array<int, 7> kTurns = {2, 3, 4, 5, 7, 10, 16};
-
-/// Of equal gains those of a cell's first rays count first.
-constexpr std::size_t kFew = 2;
-
-/// The rays of some cells side by side.
-struct Part {
-  std::vector<RayChoice> rays;    ///< In the order of finding.
-  std::vector<std::uint32_t> at;  ///< Of each cell, where its first one is.
-  std::vector<std::uint8_t> counts;
-  std::size_t known = 0;  ///< So many have been counted.
-
-  /// Whether a ray is the n-th or a later one of its cell.
-  bool IsLater(std::size_t i, std::size_t n) const {
-    return i >= n && rays[i - n].cell == rays[i].cell;
-  }
-};
 
 /// The choice of one round.
 class Chooser {
@@ -70,7 +53,7 @@ class Chooser {
       below = from;
       RaiseLeast();
     }
-    return TakeRays();
+    return TakeBest(parts_, request_.rays, threshold_);
   }
 
  private:
@@ -99,7 +82,7 @@ class Chooser {
     return found;
   }
 
-  void FindIn(const Cells& cells, int begin, Part& part) const {
+  void FindIn(const Cells& cells, int begin, FoundRays& part) const {
     part.at.resize(kGrain);
     part.counts.resize(kGrain);
     std::array<RayChoice, kMostPerCell> found;
@@ -122,7 +105,7 @@ class Chooser {
 
   /// A cell's best gain has been counted already.
   void RaiseLeast() {
-    for (Part& part : parts_) {
+    for (FoundRays& part : parts_) {
       for (; part.known < part.rays.size(); ++part.known) {
         if (part.IsLater(part.known, 1)) {
           threshold_.Add(part.rays[part.known].gain);
@@ -132,70 +115,12 @@ class Chooser {
     least_ = threshold_.Of(request_.rays).from;
   }
 
-  /// What the last of the wanted rays gains.
-  float Least() const {
-    const auto [from, to, above] = threshold_.Of(request_.rays);
-    std::vector<float> gains;
-    for (const Part& part : parts_) {
-      for (const RayChoice& ray : part.rays) {
-        if (ray.gain >= from && ray.gain < to) gains.push_back(ray.gain);
-      }
-    }
-    const auto nth = static_cast<std::size_t>(request_.rays - above);
-    if (nth > gains.size()) return 0;
-    const auto at = gains.begin() + static_cast<std::ptrdiff_t>(nth) - 1;
-    std::nth_element(gains.begin(), at, gains.end(), std::greater<>());
-    return *at;
-  }
-
-  /// Of the rays that gain `least` so many are taken, and whether later ones
-  /// than the first of their cells.
-  struct Equals {
-    int count;
-    bool later;
-  };
-  Equals EqualsOf(float least) const {
-    int more = 0;
-    int early = 0;  // Cells' first ones that gain as much.
-    bool wanted = false;
-    for (const Part& part : parts_) {
-      for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        const float gain = part.rays[i].gain;
-        if (gain > least) ++more;
-        if (gain >= least && !part.IsLater(i, kFew)) ++early;
-        if (gain > least && part.IsLater(i, kFew - 1)) wanted = true;
-      }
-    }
-    return {request_.rays - more, wanted || early < request_.rays};
-  }
-
-  /// The best rays, by rising cells.
-  std::vector<RayChoice> TakeRays() const {
-    const float least = Least();
-    auto [equal, later] = EqualsOf(least);
-    std::vector<RayChoice> rays;
-    rays.reserve(static_cast<std::size_t>(request_.rays));
-    for (const Part& part : parts_) {
-      for (std::size_t cell = 0; cell < part.at.size(); ++cell) {
-        for (std::size_t i = 0; i < part.counts[cell]; ++i) {
-          const RayChoice& ray = part.rays[part.at[cell] + i];
-          if (ray.gain < least) break;
-          if (ray.gain == least && ((!later && i >= kFew) || equal-- <= 0)) {
-            break;
-          }
-          rays.push_back(ray);
-        }
-      }
-    }
-    return rays;
-  }
-
   const VoronoiMap& map_;
   const SeenSamples& samples_;
   const RayRequest& request_;
   GainThreshold threshold_;
   float least_ = 0;
-  std::vector<Part> parts_;
+  std::vector<FoundRays> parts_;
 };
 
 }  // namespace
