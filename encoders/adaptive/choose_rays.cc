@@ -1,117 +1,127 @@
 #include "encoders/adaptive/choose_rays.h"
 
 #include <algorithm>
-#include <functional>
-#include <utility>
+#include <array>
+#include <cstdint>
+#include <limits>
 
 #include "core/base/parallel.h"
-#include "core/math/random.h"
-#include "encoders/adaptive/slot_gains.h"
+#include "encoders/adaptive/found_rays.h"
 
 namespace rtb {
 namespace {
 
-constexpr int kGrain = 64;
+/// Cells that a thread takes at once.
+constexpr int kGrain = 480;
 
-/// How far from its slot's center a sample may lie, over all that the slot
-/// has: the first one near it, which spreads samples evenly, others anywhere.
-constexpr float kFirstJitter = 0.5f;
-constexpr float kJitter = 1;
+/// Cells so much later are fetched from memory already.
+constexpr std::size_t kAhead = 4;
 
-/// A sample's Voronoi cell reaches at most this times the distance to the
-/// nearest other one, and a little: chosen samples lie where that is large.
-constexpr float kReach = 1.5f;
-constexpr float kLeastReach = 1;
+/// Cells take turns, those of the largest gains first: these want many rays,
+/// and from what they gain follows how little is too little for others. A turn
+/// ends with the cell that would be the last one if so many 16ths of the rays
+/// went to a cell each.
+constexpr std::array<int, 7> kTurns = {2, 3, 4, 5, 7, 10, 16};
 
-V2f Jittered(int slot, float jitter, int cell, int number, std::uint64_t seed) {
-  const auto pixel = static_cast<std::uint32_t>(cell);
-  const auto sample = static_cast<std::uint32_t>(number);
-  const V2f unit(UnitFloat(RandomBits(pixel, sample, 0, seed)),
-                 UnitFloat(RandomBits(pixel, sample, 1, seed)));
-  return SlotCenter(slot) + (unit - V2f(0.5f, 0.5f)) *
-                                V2f(jitter / kSlotColumns, jitter / kSlotRows);
-}
-
-/// The best rays of one cell, `most` of them, that gain at least `least`.
-void ChooseInCell(const VoronoiMap& map, int cell, int seen, int most,
-                  float least, std::uint64_t seed,
-                  std::vector<RayChoice>& out) {
-  SlotGains gains(map, cell);
-  const int last = std::min(most, kMostPerCell - seen) - 1;
-  for (int i = 0; i <= last; ++i) {
-    const int slot = gains.Best();
-    const float gain = gains.gain(slot);
-    if (gain < least) return;
-    const V2f position = Jittered(
-        slot, gains.empty(slot) ? kFirstJitter : kJitter, cell, seen + i, seed);
-    const float reach = kReach * gains.distance(slot) + kLeastReach;
-    out.push_back({cell, position, gain, std::min(reach, kCellHeight)});
-    if (i < last) gains.Expect(slot, position);
+/// The choice of one round.
+class Chooser {
+ public:
+  Chooser(const VoronoiMap& map, const SeenSamples& samples,
+          const RayRequest& request)
+      : map_(map), samples_(samples), request_(request) {
+    const int cells = samples.grid().cells();
+    parts_.resize(static_cast<std::size_t>((cells + kGrain - 1) / kGrain));
+    for (int cell = 0; cell < cells; ++cell) {
+      if (samples.count(cell) == kMostPerCell) continue;
+      threshold_.Add(map.best_gains()[static_cast<std::size_t>(cell)]);
+    }
   }
-}
 
-/// The count-th largest value; 0 with fewer.
-float Largest(std::vector<float> values, int count) {
-  const auto n = static_cast<std::size_t>(count);
-  if (n > values.size()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(n) - 1;
-  std::nth_element(values.begin(), at, values.end(), std::greater<>());
-  return *at;
-}
+  std::vector<RayChoice> Choose() {
+    std::array<float, kTurns.size()> ends;
+    std::ranges::transform(kTurns, ends.begin(), [this](int part) {
+      const std::int64_t rays = std::int64_t{request_.rays} * part / 16;
+      return threshold_.Of(static_cast<int>(rays)).from;
+    });
+    // That many cells have a ray that gains this much: none below is wanted.
+    least_ = ends.back();
+    float below = std::numeric_limits<float>::infinity();
+    for (const float end : ends) {
+      const float from = std::min(below, std::max(end, least_));
+      if (from == below) continue;
+      FindRays(from, below);
+      below = from;
+      RaiseLeast();
+    }
+    return TakeBest(parts_, request_.rays, threshold_);
+  }
 
-std::vector<float> GainsOf(const std::vector<RayChoice>& rays) {
-  std::vector<float> gains(rays.size());
-  std::ranges::transform(rays, gains.begin(), &RayChoice::gain);
-  return gains;
-}
+ private:
+  /// In all cells whose best gain is in [from, below).
+  void FindRays(float from, float below) {
+    ParallelFor(samples_.grid().cells(), kGrain, request_.threads,
+                [&](int begin, int end) {
+                  FindIn(CellsOf(begin, end, from, below), begin,
+                         parts_[static_cast<std::size_t>(begin / kGrain)]);
+                });
+  }
 
-/// All rays that gain at least `least`, `most` a cell.
-std::vector<RayChoice> RaysAbove(const VoronoiMap& map,
-                                 const SeenSamples& samples, float least,
-                                 int most, const RayRequest& request) {
-  const int cells = samples.grid().cells();
-  std::vector<std::vector<RayChoice>> parts(
-      static_cast<std::size_t>((cells + kGrain - 1) / kGrain));
-  ParallelFor(cells, kGrain, request.threads, [&](int begin, int end) {
-    std::vector<RayChoice>& part =
-        parts[static_cast<std::size_t>(begin / kGrain)];
+  /// Some cells, by rising numbers.
+  struct Cells {
+    std::array<int, kGrain> cells;
+    std::size_t count = 0;
+  };
+  Cells CellsOf(int begin, int end, float from, float below) const {
+    Cells found;
     for (int cell = begin; cell < end; ++cell) {
-      const float gain = map.best_gains()[static_cast<std::size_t>(cell)];
-      if (gain < least) continue;
-      ChooseInCell(map, cell, samples.count(cell), most, least, request.seed,
-                   part);
+      const float gain = map_.best_gains()[static_cast<std::size_t>(cell)];
+      found.cells[found.count] = cell;
+      // Without a branch, which would be a guess.
+      found.count += static_cast<std::size_t>((gain >= from) & (gain < below));
     }
-  });
-  std::vector<RayChoice> rays;
-  for (const auto& part : parts) {
-    rays.insert(rays.end(), part.begin(), part.end());
+    return found;
   }
-  return rays;
-}
 
-/// Whether a cell that got `most` rays may have another one above `least`.
-bool WantsMore(const std::vector<RayChoice>& rays, int most, float least) {
-  const auto before = static_cast<std::size_t>(most) - 1;
-  for (std::size_t i = before; i < rays.size(); ++i) {
-    if (rays[i].gain > least && rays[i].cell == rays[i - before].cell) {
-      return true;
+  void FindIn(const Cells& cells, int begin, FoundRays& part) const {
+    part.at.resize(kGrain);
+    part.counts.resize(kGrain);
+    std::array<RayChoice, kMostPerCell> found;
+    for (std::size_t i = 0; i < cells.count; ++i) {
+      map_.Prefetch(cells.cells[std::min(i + kAhead, cells.count - 1)]);
+      const int cell = cells.cells[i];
+      CellChoice choice = map_.ChoiceIn(cell);
+      choice.seen = samples_.count(cell);
+      choice.most =
+          std::min(request_.most_per_cell, kMostPerCell - choice.seen);
+      choice.least = least_;
+      choice.seed = request_.seed;
+      const int count = ChooseInCell(choice, found.data());
+      const auto place = static_cast<std::size_t>(cell - begin);
+      part.at[place] = static_cast<std::uint32_t>(part.rays.size());
+      part.counts[place] = static_cast<std::uint8_t>(count);
+      part.rays.insert(part.rays.end(), found.begin(), found.begin() + count);
     }
   }
-  return false;
-}
 
-/// Keeps the `count` rays of the largest gains, of equal ones the first.
-void KeepBest(std::vector<RayChoice>& rays, int count) {
-  if (rays.size() <= static_cast<std::size_t>(count)) return;
-  const float least = Largest(GainsOf(rays), count);
-  auto equal =
-      count - std::ranges::count_if(rays, [least](const RayChoice& ray) {
-        return ray.gain > least;
-      });
-  std::erase_if(rays, [&](const RayChoice& ray) {
-    return ray.gain < least || (ray.gain == least && equal-- <= 0);
-  });
-}
+  /// A cell's best gain has been counted already.
+  void RaiseLeast() {
+    for (FoundRays& part : parts_) {
+      for (; part.known < part.rays.size(); ++part.known) {
+        if (part.IsLater(part.known, 1)) {
+          threshold_.Add(part.rays[part.known].gain);
+        }
+      }
+    }
+    least_ = threshold_.Of(request_.rays).from;
+  }
+
+  const VoronoiMap& map_;
+  const SeenSamples& samples_;
+  const RayRequest& request_;
+  GainThreshold threshold_;
+  float least_ = 0;
+  std::vector<FoundRays> parts_;
+};
 
 }  // namespace
 
@@ -119,19 +129,7 @@ std::vector<RayChoice> ChooseRays(const VoronoiMap& map,
                                   const SeenSamples& samples,
                                   const RayRequest& request) {
   if (request.rays <= 0) return {};
-  const std::span<const float> best = map.best_gains();
-  // That many cells have a ray that gains this much: none below is wanted.
-  float least = Largest({best.begin(), best.end()}, request.rays);
-  // Few cells want many rays. It is cheaper to choose two in each cell first,
-  // which shows about what the last of the wanted ones gains.
-  const int few = std::min(2, request.most_per_cell);
-  std::vector<RayChoice> rays = RaysAbove(map, samples, least, few, request);
-  least = std::max(least, Largest(GainsOf(rays), request.rays));
-  if (WantsMore(rays, few, least)) {
-    rays = RaysAbove(map, samples, least, request.most_per_cell, request);
-  }
-  KeepBest(rays, request.rays);
-  return rays;
+  return Chooser(map, samples, request).Choose();
 }
 
 }  // namespace rtb

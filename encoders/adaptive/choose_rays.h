@@ -20,14 +20,6 @@ struct RayRequest {
   int threads = 0;
 };
 
-/// A ray that is to be traced.
-struct RayChoice {
-  int cell = 0;
-  V2f position{0, 0};  ///< Inside the cell, in [0, 1).
-  float gain = 0;      ///< By which rays are compared.
-  float reach = 0;     ///< How far away slots may be nearest to it.
-};
-
 /// The rays of the largest expected gains, by rising cells. Fewer than asked
 /// for only where cells have all that they may get.
 std::vector<RayChoice> ChooseRays(const VoronoiMap& map,

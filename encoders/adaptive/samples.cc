@@ -19,7 +19,6 @@ Rgb Clip(const Rgb& color) {
 void SeenSamples::Add(const SamplePlan& plan, const Fragments& fragments) {
   std::vector<Rgb> encoded(fragments.values.size());
   SrgbEncode(fragments.values, encoded);
-  samples_.reserve(samples_.size() + encoded.size());
   std::size_t value = 0;
   for (int entry = 0; entry < plan.entries(); ++entry) {
     const int cell = plan.cell(entry);

@@ -36,6 +36,9 @@ class SeenSamples {
         counts_(static_cast<std::size_t>(grid.cells())),
         variances_(counts_.size()) {}
 
+  /// Makes room for so many samples.
+  void Reserve(std::size_t count) { samples_.reserve(count); }
+
   /// Adds all answers to a plan.
   void Add(const SamplePlan& plan, const Fragments& fragments);
 

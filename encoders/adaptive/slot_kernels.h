@@ -1,67 +1,57 @@
 /// @file
-/// The inner loops over slots, by vectors: VoronoiMap's and SlotGains'. Highway
-/// chooses the instruction set at run time; all give the same bits.
+/// The inner loops over slots, by vectors: VoronoiMap's and ChooseRays'.
+/// Highway chooses the instruction set at run time; all give the same bits.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
-#include "core/math/vec.h"
+#include "core/render/sample_plan.h"
 #include "encoders/adaptive/slots.h"
 
 namespace rtb {
 
-/// Lanes of any instruction set: so many floats after what a row of slots holds
-/// may be read and written back.
-inline constexpr std::size_t kSlotRoom = 16;
-
-/// The gains of all slots of a cell.
-using CellGains = std::array<float, kSlots>;
-
-/// Fills in the gains of a cell's slots.
-/// @return the slot of the largest, of equal ones the first.
-int FindGains(const CellSlots& slots, CellGains& gains);
-
-/// Counts on one more sample in a cell: distances and gains anew.
-/// @return as FindGains.
-int ExpectSample(const V2f& position, float cell_width, CellSlots& slots,
-                 CellGains& gains);
-
-/// Rows of slots side by side, as arrays of `stride` floats a row.
-struct SlotRows {
-  std::size_t stride = 0;
-  int columns = 0;  ///< Of slots, from where the pointers point.
-  int rows = 0;
+/// The slots of a grid: for each field the kSlots floats of one cell after the
+/// other, with a cell more on every side.
+struct SlotGrid {
+  GridSize grid;
+  V2f pitch{0, 0};  ///< From slot to slot.
   float* distance2 = nullptr;
   float* r = nullptr;
   float* g = nullptr;
   float* b = nullptr;
-};
-
-/// A sample to enter into slots.
-struct EnteredSample {
-  V2f at{0, 0};     ///< In slots.
-  V2f pitch{0, 0};  ///< From slot to slot.
-  Rgb color{0};
-  int left = 0, top = 0;  ///< Which slot SlotRows begins with.
-};
-
-/// Gives the slots that the sample is nearer to than what they have its
-/// distance and color.
-void EnterSample(const EnteredSample& sample, const SlotRows& slots);
-
-/// What CompareSlots finds.
-struct ComparedRows {
-  const float* extent = nullptr;
   float* contrast = nullptr;
-  float* best = nullptr;  ///< Of each column, the largest gain in its rows.
+  float* extent = nullptr;
+  /// Of each cell, a bit for each slot whose color is new.
+  std::uint32_t* changed = nullptr;
+
+  /// Cells from a row to the next.
+  std::ptrdiff_t stride() const { return grid.columns + 2; }
+  /// All cells, with those around the grid.
+  std::size_t room() const {
+    return static_cast<std::size_t>(stride() * (grid.rows + 2));
+  }
+  /// The place of a cell among them; -1 and one past the last are around.
+  std::ptrdiff_t At(int column, int row) const {
+    return (row + 1) * stride() + column + 1;
+  }
 };
 
-/// The contrasts of slots, with a row and a column of others on every side, and
-/// their gains.
+/// Gives the slots that a sample is nearer to than what they have its distance
+/// and color, and counts it in its own; later ones come after earlier ones.
+/// @param reaches see VoronoiMap::Insert.
+/// @param first,last the rows of cells to enter into, both included.
+void EnterSamples(std::span<const SeenSample> samples,
+                  std::span<const float> reaches, int first, int last,
+                  const SlotGrid& slots);
+
+/// The contrasts of the slots of a row's cells that changed or lie beside such,
+/// and their cells' best gains.
 /// @param least added to every squared contrast.
 /// @param root whether its root counts.
-void CompareSlots(const SlotRows& slots, float least, bool root,
-                  const ComparedRows& out);
+/// @param best of each cell of the row.
+void CompareSlots(const SlotGrid& slots, int row, float least, bool root,
+                  float* best);
 
 }  // namespace rtb

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "core/math/vec.h"
 #include "encoders/adaptive/samples.h"
@@ -15,6 +16,32 @@ namespace rtb {
 inline constexpr int kSlotColumns = 4;
 inline constexpr int kSlotRows = 8;
 inline constexpr int kSlots = kSlotColumns * kSlotRows;
+/// @}
+
+/// @name Slots at the sides of a cell, a bit for each.
+/// @{
+inline constexpr std::uint32_t kFirstColumn = 0x11111111;
+inline constexpr std::uint32_t kLastColumn = 0x88888888;
+inline constexpr std::uint32_t kFirstRow = 0x0000000F;
+inline constexpr std::uint32_t kLastRow = 0xF0000000;
+/// @}
+
+/// A squared distance before there is a sample. Finite, as are the gains of
+/// such slots.
+inline constexpr float kFar2 = 1e9f;
+
+/// How far from its slot's center a sample may lie, over all that the slot
+/// has: the first one near it, which spreads samples evenly, others anywhere.
+/// @{
+inline constexpr float kFirstJitter = 0.5f;
+inline constexpr float kJitter = 1;
+/// @}
+
+/// A sample's Voronoi cell reaches at most this times the distance to the
+/// nearest other one, and a little: chosen samples lie where that is large.
+/// @{
+inline constexpr float kReach = 1.5f;
+inline constexpr float kLeastReach = 1;
 /// @}
 
 /// Squared distance that stands for an empty slot's own extent.

@@ -26,6 +26,8 @@ class Tracer {
         request_(request),
         samples_(request.grid),
         map_(request.grid, request.cell_aspect, request.priority) {
+    samples_.Reserve(
+        static_cast<std::size_t>(request.rays * request.grid.cells()));
     plan_.grid = request.grid;
     plan_.cell_aspect = request.cell_aspect;
     // A sub-pixel of the canonical raster.
@@ -67,7 +69,11 @@ class Tracer {
     if (rays.empty()) return {};
     SamplePlan plan = plan_;
     plan.samples_per_cell = 1;
+    plan.samples_before.reserve(rays.size());
+    plan.cells.reserve(rays.size());
+    plan.positions.reserve(rays.size());
     std::vector<float> reaches;
+    reaches.reserve(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const bool again = i > 0 && rays[i - 1].cell == rays[i].cell;
       plan.samples_before.push_back(again ? plan.samples_before.back() + 1

@@ -1,7 +1,8 @@
 #include "encoders/adaptive/voronoi_map.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -9,8 +10,9 @@
 namespace rtb {
 namespace {
 
-/// Before there is a sample. Finite, as is its square.
-constexpr float kFar2 = 1e9f;
+/// Rows of cells that a thread takes at once. Samples of the rows beside them
+/// are looked at too.
+constexpr int kGrain = 4;
 
 /// Added to every squared contrast: rays that nothing visible asks for go
 /// where samples are farthest. A quarter of an 8-bit code, squared.
@@ -30,151 +32,101 @@ std::pair<std::size_t, std::size_t> OfRows(std::span<const SeenSample> samples,
 }  // namespace
 
 VoronoiMap::VoronoiMap(GridSize grid, double cell_aspect, Priority priority)
-    : grid_(grid),
-      priority_(priority),
+    : priority_(priority),
       cell_width_(CellWidth(cell_aspect)),
-      pitch_x_(cell_width_ / kSlotColumns),
-      pitch_y_(kCellHeight / kSlotRows),
-      stride_(static_cast<std::size_t>(grid.columns * kSlotColumns + 2) +
-              kSlotRoom),
-      best_gains_(static_cast<std::size_t>(grid.cells())),
-      changed_(best_gains_.size()) {
-  const std::size_t slots =
-      stride_ * static_cast<std::size_t>(grid.rows * kSlotRows + 2);
-  distance2_.resize(slots, kFar2);
-  extent_.resize(slots, kEmptySlot);
-  contrast_.resize(slots);
-  for (std::vector<float>& channel : color_) channel.resize(slots);
+      best_gains_(static_cast<std::size_t>(grid.cells())) {
+  slots_.grid = grid;
+  slots_.pitch = V2f(cell_width_ / kSlotColumns, kCellHeight / kSlotRows);
+  const std::size_t count = slots_.room() * kSlots;
+  fields_ = hwy::AllocateAligned<float>(6 * count);
+  float* next = fields_.get();
+  for (float** field : {&slots_.distance2, &slots_.extent, &slots_.r, &slots_.g,
+                        &slots_.b, &slots_.contrast}) {
+    *field = std::exchange(next, next + count);
+  }
+  std::fill_n(slots_.distance2, count, kFar2);
+  std::fill_n(slots_.extent, count, kEmptySlot);
+  std::fill_n(slots_.r, 4 * count, 0.0f);
+  changed_.resize(slots_.room());
+  slots_.changed = changed_.data();
 }
 
 void VoronoiMap::Insert(std::span<const SeenSample> samples,
                         std::span<const float> reaches, int threads) {
-  ParallelFor(grid_.rows, 1, threads, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      InsertIntoRow(row, samples, reaches);
-    }
+  std::ranges::fill(changed_, 0);
+  const GridSize grid = slots_.grid;
+  ParallelFor(grid.rows, kGrain, threads, [&](int begin, int end) {
+    InsertIntoRows(begin, end - 1, samples, reaches);
   });
   RepeatBorder();
-  ParallelFor(grid_.rows, 1, threads, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) CompareRow(row);
+  ParallelFor(grid.rows, kGrain, threads, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      CompareSlots(slots_, row, kLeastContrast, priority_ == Priority::kRoot,
+                   &best_gains_[static_cast<std::size_t>(row * grid.columns)]);
+    }
   });
 }
 
-/// Each row of cells takes what it needs from the samples of three, so that
-/// rows can be worked on at once.
-void VoronoiMap::InsertIntoRow(int row, std::span<const SeenSample> samples,
-                               std::span<const float> reaches) {
-  std::fill_n(changed_.begin() + row * grid_.columns, grid_.columns, 0);
-  const auto [begin, end] = OfRows(samples, grid_.columns, row - 1, row + 1);
-  for (std::size_t i = begin; i < end; ++i) {
-    const SeenSample& sample = samples[i];
-    const int column = sample.cell % grid_.columns;
-    const int sample_row = sample.cell / grid_.columns;
-    const V2f at =
-        (V2f(static_cast<float>(column), static_cast<float>(sample_row)) +
-         sample.position) *
-        V2f(kSlotColumns, kSlotRows);
-    const int x = static_cast<int>(at.x);
-    const int y = static_cast<int>(at.y);
-    const int across = static_cast<int>(std::ceil(reaches[i] / pitch_x_));
-    const int down = static_cast<int>(std::ceil(reaches[i] / pitch_y_));
-    const Window window = {
-        std::max(0, x - across), std::max(row * kSlotRows, y - down),
-        std::min(grid_.columns * kSlotColumns - 1, x + across),
-        std::min((row + 1) * kSlotRows - 1, y + down)};
-    if (window.top > window.bottom) continue;
-    const int last = window.right / kSlotColumns;
-    for (int c = window.left / kSlotColumns; c <= last; ++c) {
-      changed_[static_cast<std::size_t>(row * grid_.columns + c)] = 1;
-    }
-    Enter(sample, at, window);
-    if (sample_row != row) continue;
-    float& extent = extent_[Index(x, y)];
-    extent = WithOneMore(extent);
-  }
-}
-
-SlotRows VoronoiMap::RowsFrom(int left, int top, int columns, int rows) {
-  const std::size_t at = Index(left, top);
-  return {stride_,        columns,        rows,          &distance2_[at],
-          &color_[0][at], &color_[1][at], &color_[2][at]};
-}
-
-void VoronoiMap::Enter(const SeenSample& sample, const V2f& at,
-                       const Window& window) {
-  EnterSample(
-      {at, V2f(pitch_x_, pitch_y_), sample.encoded, window.left, window.top},
-      RowsFrom(window.left, window.top, window.right - window.left + 1,
-               window.bottom - window.top + 1));
+/// Rows of cells take what they need from the samples of those beside them, so
+/// that some can be worked on at once.
+void VoronoiMap::InsertIntoRows(int first, int last,
+                                std::span<const SeenSample> samples,
+                                std::span<const float> reaches) {
+  const auto [begin, end] =
+      OfRows(samples, slots_.grid.columns, first - 1, last + 1);
+  EnterSamples(samples.subspan(begin, end - begin),
+               reaches.subspan(begin, end - begin), first, last, slots_);
 }
 
 void VoronoiMap::RepeatBorder() {
-  const int width = grid_.columns * kSlotColumns;
-  const int height = grid_.rows * kSlotRows;
-  for (std::vector<float>& channel : color_) {
-    for (int y = 0; y < height; ++y) {
-      channel[Index(-1, y)] = channel[Index(0, y)];
-      channel[Index(width, y)] = channel[Index(width - 1, y)];
-    }
-    const auto row = [&](int y) {
-      return channel.begin() + static_cast<std::ptrdiff_t>(Index(-1, y));
+  const auto [columns, rows] = slots_.grid;
+  constexpr int kLast = kSlots - kSlotColumns;  // The last row of a cell.
+  for (float* const channel : {slots_.r, slots_.g, slots_.b}) {
+    const auto cell = [&](int x, int y) {
+      return channel + slots_.At(x, y) * kSlots;
     };
-    std::copy_n(row(0), stride_, row(-1));
-    std::copy_n(row(height - 1), stride_, row(height));
+    for (int y = 0; y < rows; ++y) {
+      for (int i = 0; i < kSlots; i += kSlotColumns) {
+        cell(-1, y)[i + kSlotColumns - 1] = cell(0, y)[i];
+        cell(columns, y)[i] = cell(columns - 1, y)[i + kSlotColumns - 1];
+      }
+    }
+    for (int x = 0; x < columns; ++x) {
+      std::copy_n(cell(x, 0), kSlotColumns, cell(x, -1) + kLast);
+      std::copy_n(cell(x, rows - 1) + kLast, kSlotColumns, cell(x, rows));
+    }
   }
 }
 
-bool VoronoiMap::ChangedAround(int cell) const {
-  const int x = cell % grid_.columns;
-  const int y = cell / grid_.columns;
-  const auto at = static_cast<std::size_t>(cell);
-  const auto columns = static_cast<std::size_t>(grid_.columns);
-  return changed_[at] || (x > 0 && changed_[at - 1]) ||
-         (x + 1 < grid_.columns && changed_[at + 1]) ||
-         (y > 0 && changed_[at - columns]) ||
-         (y + 1 < grid_.rows && changed_[at + columns]);
+CellChoice VoronoiMap::ChoiceIn(int cell) const {
+  const auto from =
+      slots_.At(cell % slots_.grid.columns, cell / slots_.grid.columns) *
+      kSlots;
+  CellChoice choice;
+  choice.contrast = slots_.contrast + from;
+  choice.distance2 = slots_.distance2 + from;
+  choice.extent = slots_.extent + from;
+  choice.cell_width = cell_width_;
+  choice.cell = cell;
+  return choice;
 }
 
-void VoronoiMap::CompareRow(int row) {
-  const int first = row * grid_.columns;
-  for (int begin = 0; begin < grid_.columns; ++begin) {
-    if (!ChangedAround(first + begin)) continue;
-    int end = begin + 1;
-    while (end < grid_.columns && ChangedAround(first + end)) ++end;
-    Compare(row, begin, end);
-    begin = end;
-  }
-}
-
-void VoronoiMap::Compare(int row, int begin, int end) {
-  const int left = begin * kSlotColumns;
-  const int top = row * kSlotRows;
-  const int count = (end - begin) * kSlotColumns;
-  std::vector<float> best(static_cast<std::size_t>(count) + kSlotRoom);
-  const std::size_t first = Index(left, top);
-  CompareSlots(RowsFrom(left, top, count, kSlotRows), kLeastContrast,
-               priority_ == Priority::kRoot,
-               {&extent_[first], &contrast_[first], best.data()});
-  for (int cell = begin; cell < end; ++cell) {
-    const auto at = static_cast<std::size_t>((cell - begin) * kSlotColumns);
-    best_gains_[static_cast<std::size_t>(row * grid_.columns + cell)] =
-        std::ranges::max(std::span(best).subspan(at, kSlotColumns));
+void VoronoiMap::Prefetch(int cell) const {
+  constexpr int kLine = 64 / sizeof(float);
+  const CellChoice choice = ChoiceIn(cell);
+  for (int i = 0; i < kSlots; i += kLine) {
+    hwy::Prefetch(choice.contrast + i);
+    hwy::Prefetch(choice.distance2 + i);
+    hwy::Prefetch(choice.extent + i);
   }
 }
 
 CellSlots VoronoiMap::Slots(int cell) const {
+  const CellChoice from = ChoiceIn(cell);
   CellSlots slots;
-  const int left = cell % grid_.columns * kSlotColumns;
-  const int top = cell / grid_.columns * kSlotRows;
-  for (int y = 0; y < kSlotRows; ++y) {
-    const auto to = static_cast<std::size_t>(y * kSlotColumns);
-    const std::size_t from = Index(left, top + y);
-    for (std::size_t i = 0; i < kSlotColumns; ++i) {
-      slots.contrast[to + i] = contrast_[from + i];
-      slots.distance2[to + i] = distance2_[from + i];
-      slots.extent[to + i] = extent_[from + i];
-    }
-  }
+  std::copy_n(from.contrast, kSlots, slots.contrast.begin());
+  std::copy_n(from.distance2, kSlots, slots.distance2.begin());
+  std::copy_n(from.extent, kSlots, slots.extent.begin());
   return slots;
 }
 

@@ -3,11 +3,13 @@
 /// there could still tell. SeenSamples -> VoronoiMap -> ChooseRays.
 #pragma once
 
-#include <array>
+#include <hwy/aligned_allocator.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "encoders/adaptive/choose_in_cell.h"
 #include "encoders/adaptive/slot_kernels.h"
 
 namespace rtb {
@@ -35,48 +37,28 @@ class VoronoiMap {
   /// them, or its root.
   CellSlots Slots(int cell) const;
 
+  /// What to choose one of a cell's rays from: its slots, without the rest.
+  CellChoice ChoiceIn(int cell) const;
+
+  /// Fetches what ChoiceIn will point to.
+  void Prefetch(int cell) const;
+
   /// The largest gain among the slots of each cell.
   std::span<const float> best_gains() const { return best_gains_; }
 
   float cell_width() const { return cell_width_; }
 
  private:
-  /// A rectangle of slots, all sides included.
-  struct Window {
-    int left, top, right, bottom;
-  };
-
-  void InsertIntoRow(int row, std::span<const SeenSample> samples,
-                     std::span<const float> reaches);
-  void Enter(const SeenSample& sample, const V2f& at, const Window& window);
-  /// The slots from (left, top) on.
-  SlotRows RowsFrom(int left, int top, int columns, int rows);
+  void InsertIntoRows(int first, int last, std::span<const SeenSample> samples,
+                      std::span<const float> reaches);
   void RepeatBorder();
-  bool ChangedAround(int cell) const;
-  void CompareRow(int row);
-  /// The contrasts and best gains of cells side by side.
-  void Compare(int row, int begin, int end);
-  /// Index of a slot; -1 and one past the last are the border.
-  std::size_t Index(int x, int y) const {
-    return static_cast<std::size_t>(y + 1) * stride_ +
-           static_cast<std::size_t>(x + 1);
-  }
 
-  GridSize grid_;
   Priority priority_;
   float cell_width_;
-  float pitch_x_;  ///< From slot to slot.
-  float pitch_y_;
-  std::size_t stride_;
-  /// Of each slot, with a border all around in which colors are repeated, and
-  /// kSlotRoom floats after each row.
-  std::vector<float> distance2_;
-  std::array<std::vector<float>, 3> color_;
-  std::vector<float> contrast_;
-  std::vector<float> extent_;
-  /// Of each cell.
-  std::vector<float> best_gains_;
-  std::vector<std::uint8_t> changed_;
+  SlotGrid slots_;
+  hwy::AlignedFreeUniquePtr<float[]> fields_;  ///< What slots_ points to.
+  std::vector<std::uint32_t> changed_;         ///< As well.
+  std::vector<float> best_gains_;              ///< Of each cell.
 };
 
 }  // namespace rtb

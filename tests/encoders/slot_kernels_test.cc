@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
-
-#include "core/math/random.h"
+#include "tests/encoders/plain_slots.h"
 #include "tests/simd_targets.h"
 
 namespace rtb {
@@ -21,133 +18,138 @@ float Unit(std::size_t index, std::uint32_t dimension) {
       RandomBits(static_cast<std::uint32_t>(index), dimension, 0, 9));
 }
 
-CellSlots RandomSlots() {
-  CellSlots slots;
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    slots.contrast[i] = Unit(i, 0);
-    slots.distance2[i] = 40 * Unit(i, 1);
-    slots.extent[i] = Unit(i, 2);
-  }
-  return slots;
-}
-
-CellGains GainsOf(const CellSlots& slots) {
-  CellGains gains;
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    gains[i] = Gain(slots.contrast[i], slots.distance2[i], slots.extent[i]);
-  }
-  return gains;
-}
-
-int FirstLargest(const CellGains& gains) {
-  return static_cast<int>(std::ranges::max_element(gains) - gains.begin());
-}
-
-TEST(SlotKernels, FindTheGainsOfACell) {
-  const CellSlots slots = RandomSlots();
-  const CellGains expected = GainsOf(slots);
-  ForEachSimdTarget([&] {
-    CellGains gains{};
-    EXPECT_EQ(FindGains(slots, gains), FirstLargest(expected));
-    EXPECT_EQ(gains, expected);
-  });
-}
-
-TEST(SlotKernels, FindTheFirstOfEqualGains) {
-  CellSlots slots;
-  slots.contrast.fill(1);
-  slots.distance2.fill(2);
-  slots.extent.fill(1);
-  slots.contrast.fill(0.5f);
-  slots.contrast[21] = slots.contrast[30] = 1;
-  ForEachSimdTarget([&] {
-    CellGains gains{};
-    EXPECT_EQ(FindGains(slots, gains), 21);
-  });
-}
-
-TEST(SlotKernels, ExpectASample) {
-  const V2f position(0.3f, 0.7f);
-  CellSlots expected = RandomSlots();
-  for (int slot = 0; slot < kSlots; ++slot) {
-    const V2f center = SlotCenter(slot);
-    const float dx = (center.x - position.x) * kCellWidth;
-    const float dy = (center.y - position.y) * kCellHeight;
-    float& distance2 = expected.distance2[static_cast<std::size_t>(slot)];
-    distance2 = std::min(distance2, dx * dx + dy * dy);
-  }
-  const CellGains expected_gains = GainsOf(expected);
-  ASSERT_NE(expected.distance2, RandomSlots().distance2);
-  ForEachSimdTarget([&] {
-    CellSlots slots = RandomSlots();
-    CellGains gains{};
-    EXPECT_EQ(ExpectSample(position, kCellWidth, slots, gains),
-              FirstLargest(expected_gains));
-    EXPECT_EQ(slots.distance2, expected.distance2);
-    EXPECT_EQ(gains, expected_gains);
-  });
-}
-
-/// Rows of random slots, with a border.
+/// A grid of random slots.
 struct Plane {
-  static constexpr int kColumns = 21, kRows = 5;
-  static constexpr std::size_t kStride = kColumns + 2 + kSlotRoom;
-  static constexpr std::size_t kSize = kStride * (kRows + 2);
+  static constexpr int kColumns = 5, kRows = 4;
 
   Plane() {
-    for (std::size_t i = 0; i < kSize; ++i) {
-      distance2[i] = 60 * Unit(i, 3);
-      r[i] = Unit(i, 4);
-      g[i] = Unit(i, 5);
-      b[i] = Unit(i, 6);
-      extent[i] = Unit(i, 7);
+    grid.grid = {kColumns, kRows};
+    grid.pitch = V2f(kCellWidth / kSlotColumns, kCellHeight / kSlotRows);
+    const std::size_t count = grid.room() * kSlots;
+    std::uint32_t field = 0;
+    for (auto* const values : {&distance2, &r, &g, &b, &contrast, &extent}) {
+      for (std::size_t i = 0; i < count; ++i) {
+        values->push_back((field == 0 ? 30 : 1) * Unit(i, field));
+      }
+      ++field;
     }
+    changed.resize(grid.room());
   }
 
-  static std::size_t At(int x, int y) {
-    return static_cast<std::size_t>(y + 1) * kStride +
-           static_cast<std::size_t>(x + 1);
+  SlotGrid Slots() {
+    grid.distance2 = distance2.data();
+    grid.r = r.data();
+    grid.g = g.data();
+    grid.b = b.data();
+    grid.contrast = contrast.data();
+    grid.extent = extent.data();
+    grid.changed = changed.data();
+    return grid;
   }
 
-  SlotRows From(int left, int top, int columns, int rows) {
-    const std::size_t at = At(left, top);
-    return {kStride, columns, rows, &distance2[at], &r[at], &g[at], &b[at]};
+  std::size_t Cell(int x, int y) const {
+    return static_cast<std::size_t>(grid.At(x / kSlotColumns, y / kSlotRows));
+  }
+  static int InCell(int x, int y) {
+    return y % kSlotRows * kSlotColumns + x % kSlotColumns;
+  }
+  /// By columns and rows of slots; up to a whole cell outside.
+  std::size_t At(int x, int y) const {
+    const int right = x + kSlotColumns;
+    const int below = y + kSlotRows;
+    return static_cast<std::size_t>(
+               grid.At(right / kSlotColumns - 1, below / kSlotRows - 1)) *
+               kSlots +
+           static_cast<std::size_t>(InCell(right, below));
   }
 
-  std::vector<float> distance2 = std::vector<float>(kSize);
-  std::vector<float> r = distance2, g = distance2, b = distance2;
-  std::vector<float> extent = distance2;
+  SlotGrid grid;
+  std::vector<float> distance2, r, g, b, contrast, extent;
+  std::vector<std::uint32_t> changed;
 };
 
-TEST(SlotKernels, EnterASampleIntoAWindowAndNowhereElse) {
-  const EnteredSample sample{V2f(8.4f, 2.6f), V2f(2, 2),
-                             Rgb(0.25f, 0.5f, 0.75f), 3, 1};
-  constexpr int kWide = 10, kHigh = 3;
-  Plane expected;
-  int changed = 0;
-  for (int y = 1; y < 1 + kHigh; ++y) {
-    for (int x = 3; x < 3 + kWide; ++x) {
-      const float dx = (3 + 0.5f - sample.at.x + static_cast<float>(x - 3)) * 2;
-      const float dy = (static_cast<float>(y) + 0.5f - sample.at.y) * 2;
-      const std::size_t at = Plane::At(x, y);
-      if (!(dx * dx + dy * dy < expected.distance2[at])) continue;
-      expected.distance2[at] = dx * dx + dy * dy;
-      expected.r[at] = 0.25f;
-      expected.g[at] = 0.5f;
-      expected.b[at] = 0.75f;
-      ++changed;
+void ExpectSame(const Plane& a, const Plane& b) {
+  EXPECT_EQ(a.distance2, b.distance2);
+  EXPECT_EQ(a.r, b.r);
+  EXPECT_EQ(a.g, b.g);
+  EXPECT_EQ(a.b, b.b);
+  EXPECT_EQ(a.contrast, b.contrast);
+  EXPECT_EQ(a.extent, b.extent);
+  EXPECT_EQ(a.changed, b.changed);
+}
+
+/// Three samples in each cell.
+std::vector<SeenSample> Samples() {
+  std::vector<SeenSample> samples;
+  for (int i = 0; i < 3 * Plane::kColumns * Plane::kRows; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    samples.push_back({i / 3, V2f(Unit(place, 10), Unit(place, 11)), Rgb(0),
+                       Rgb(Unit(place, 12), Unit(place, 13), Unit(place, 14))});
+  }
+  return samples;
+}
+
+/// From next to nothing to more than a cell.
+std::vector<float> Reaches(std::size_t count) {
+  std::vector<float> reaches;
+  for (std::size_t i = 0; i < count; ++i) {
+    reaches.push_back(0.5f + 18 * Unit(i, 15));
+  }
+  return reaches;
+}
+
+void PlainEnter(const SeenSample& sample, float reach, int first, int last,
+                Plane& plane) {
+  const int column = sample.cell % Plane::kColumns;
+  const int row = sample.cell / Plane::kColumns;
+  const V2f pitch = plane.grid.pitch;
+  const V2f at = (V2f(static_cast<float>(column), static_cast<float>(row)) +
+                  sample.position) *
+                 V2f(kSlotColumns, kSlotRows);
+  const auto sample_x = static_cast<int>(at.x);
+  const auto sample_y = static_cast<int>(at.y);
+  const auto across = static_cast<int>(std::ceil(reach / pitch.x));
+  const auto down = static_cast<int>(std::ceil(reach / pitch.y));
+  for (int y = first * kSlotRows; y < (last + 1) * kSlotRows; ++y) {
+    for (int x = 0; x < Plane::kColumns * kSlotColumns; ++x) {
+      if (std::abs(x - sample_x) > across || std::abs(y - sample_y) > down) {
+        continue;
+      }
+      const float dx = (static_cast<float>(x) + (0.5f - at.x)) * pitch.x;
+      const float dy = (static_cast<float>(y) + (0.5f - at.y)) * pitch.y;
+      const std::size_t i = plane.At(x, y);
+      const bool own = x == sample_x && y == sample_y;
+      const bool nearer = dx * dx + dy * dy < plane.distance2[i];
+      if (own || nearer) {
+        plane.changed[plane.Cell(x, y)] |= 1u << Plane::InCell(x, y);
+      }
+      if (own) plane.extent[i] = WithOneMore(plane.extent[i]);
+      if (!nearer) continue;
+      plane.distance2[i] = dx * dx + dy * dy;
+      plane.r[i] = sample.encoded.x;
+      plane.g[i] = sample.encoded.y;
+      plane.b[i] = sample.encoded.z;
     }
   }
-  ASSERT_GT(changed, 5);
-  ASSERT_LT(changed, kWide * kHigh);
-  ForEachSimdTarget([&] {
-    Plane plane;
-    EnterSample(sample, plane.From(3, 1, kWide, kHigh));
-    EXPECT_EQ(plane.distance2, expected.distance2);
-    EXPECT_EQ(plane.r, expected.r);
-    EXPECT_EQ(plane.g, expected.g);
-    EXPECT_EQ(plane.b, expected.b);
-  });
+}
+
+TEST(SlotKernels, EnterSamplesIntoRowsAndNowhereElse) {
+  const std::vector<SeenSample> samples = Samples();
+  const std::vector<float> reaches = Reaches(samples.size());
+  for (const int first : {0, 1, 3}) {
+    for (int last = first; last < Plane::kRows; ++last) {
+      Plane expected;
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        PlainEnter(samples[i], reaches[i], first, last, expected);
+      }
+      ASSERT_NE(expected.r, Plane().r);
+      ForEachSimdTarget([&] {
+        Plane plane;
+        EnterSamples(samples, reaches, first, last, plane.Slots());
+        ExpectSame(plane, expected);
+      });
+    }
+  }
 }
 
 /// Squared distance of the colors of two slots.
@@ -158,32 +160,93 @@ float Apart(const Plane& plane, std::size_t i, std::size_t j) {
   return dr * dr + dg * dg + db * db;
 }
 
-TEST(SlotKernels, CompareNeighbors) {
-  Plane plane;
-  for (const bool root : {false, true}) {
-    ForEachSimdTarget([&] {
-      std::vector<float> contrast(Plane::kSize);
-      std::vector<float> best(Plane::kColumns + kSlotRoom);
-      const std::size_t first = Plane::At(0, 0);
-      CompareSlots(plane.From(0, 0, Plane::kColumns, Plane::kRows), kLeast,
-                   root, {&plane.extent[first], &contrast[first], best.data()});
-      for (int x = 0; x < Plane::kColumns; ++x) {
-        float most = 0;
-        for (int y = 0; y < Plane::kRows; ++y) {
-          const std::size_t at = Plane::At(x, y);
-          float expected =
-              std::max(Apart(plane, at - 1, at + 1),
-                       Apart(plane, at - Plane::kStride, at + Plane::kStride)) +
-              kLeast;
-          if (root) expected = std::sqrt(expected);
-          EXPECT_EQ(contrast[at], expected);
-          most = std::max(
-              most, Gain(expected, plane.distance2[at], plane.extent[at]));
-        }
-        EXPECT_EQ(best[static_cast<std::size_t>(x)], most);
-      }
-    });
+/// The contrasts of one cell and its best gain.
+float PlainCompare(int column, int row, bool root, Plane& plane) {
+  float best = 0;
+  for (int slot = 0; slot < kSlots; ++slot) {
+    const int x = column * kSlotColumns + slot % kSlotColumns;
+    const int y = row * kSlotRows + slot / kSlotColumns;
+    const std::size_t i = plane.At(x, y);
+    float contrast =
+        std::max(Apart(plane, plane.At(x - 1, y), plane.At(x + 1, y)),
+                 Apart(plane, plane.At(x, y - 1), plane.At(x, y + 1))) +
+        kLeast;
+    if (root) contrast = std::sqrt(contrast);
+    plane.contrast[i] = contrast;
+    best = std::max(best, Gain(contrast, plane.distance2[i], plane.extent[i]));
   }
+  return best;
+}
+
+/// The best gains of a row before it is compared.
+const std::vector<float> kOld(Plane::kColumns, -1.0f);
+
+TEST(SlotKernels, CompareNeighbors) {
+  for (const bool root : {false, true}) {
+    for (int row = 0; row < Plane::kRows; ++row) {
+      Plane expected;
+      std::ranges::fill(expected.changed, 1u << 13);
+      std::vector<float> expected_best = kOld;
+      for (int column = 0; column < Plane::kColumns; ++column) {
+        expected_best[static_cast<std::size_t>(column)] =
+            PlainCompare(column, row, root, expected);
+      }
+      ForEachSimdTarget([&] {
+        Plane plane;
+        std::ranges::fill(plane.changed, 1u << 13);
+        std::vector<float> best = kOld;
+        CompareSlots(plane.Slots(), row, kLeast, root, best.data());
+        ExpectSame(plane, expected);
+        EXPECT_EQ(best, expected_best);
+      });
+    }
+  }
+}
+
+/// Which cells of row 1 are compared where one slot has changed.
+std::vector<bool> ComparedAfter(int x, int y) {
+  Plane plane;
+  plane.changed[plane.Cell(x, y)] = 1u << Plane::InCell(x, y);
+  std::vector<float> best = kOld;
+  CompareSlots(plane.Slots(), 1, kLeast, false, best.data());
+  std::vector<bool> compared;
+  for (const float gain : best) compared.push_back(gain >= 0);
+  return compared;
+}
+
+TEST(SlotKernels, CompareWhatChangedOrLiesBesideIt) {
+  constexpr int kX = 2 * kSlotColumns;  // Of the third cell.
+  constexpr int kY = kSlotRows;
+  const std::vector<bool> alone = {false, false, true, false, false};
+  const std::vector<bool> none(Plane::kColumns);
+  EXPECT_EQ(ComparedAfter(kX + 1, kY + 3), alone);
+  EXPECT_EQ(ComparedAfter(kX, kY + 3),
+            (std::vector<bool>{false, true, true, false, false}));
+  EXPECT_EQ(ComparedAfter(kX + 3, kY + 3),
+            (std::vector<bool>{false, false, true, true, false}));
+  EXPECT_EQ(ComparedAfter(kX + 1, kY - 1), alone);
+  EXPECT_EQ(ComparedAfter(kX + 1, kY + kSlotRows), alone);
+  EXPECT_EQ(ComparedAfter(kX + 1, kY - 2), none);
+  EXPECT_EQ(ComparedAfter(kX + 1, kY + kSlotRows + 1), none);
+}
+
+// A slot that has a sample already is nearer to that one than to a second.
+TEST(SlotKernels, ASampleThatChangesNoColorRenewsItsCellsBestGain) {
+  Plane before;
+  std::ranges::fill(before.distance2, 0.0f);
+  const std::vector<SeenSample> samples = {
+      {Plane::kColumns + 2, V2f(0.3f, 0.6f), Rgb(0), Rgb(0.5f)}};
+  const std::vector<float> reaches = {4};
+  ForEachSimdTarget([&] {
+    Plane plane = before;
+    EnterSamples(samples, reaches, 0, Plane::kRows - 1, plane.Slots());
+    EXPECT_EQ(plane.r, before.r);
+    EXPECT_NE(plane.extent, before.extent);
+    std::vector<float> best = kOld;
+    CompareSlots(plane.Slots(), 1, kLeast, false, best.data());
+    EXPECT_EQ(best[2], PlainCompare(2, 1, false, plane));
+    EXPECT_EQ(best[1], kOld[1]);
+  });
 }
 
 }  // namespace
