@@ -15,8 +15,7 @@ Status UploadGrids(const std::vector<Grid>& grids,
   std::vector<Grid> placed = grids;
   texels->resize(grids.size());
   for (std::size_t i = 0; i < grids.size(); ++i) {
-    const std::size_t count = static_cast<std::size_t>(grids[i].width) *
-                              static_cast<std::size_t>(grids[i].height);
+    const std::size_t count = TexelsOfAllLevels(grids[i]);
     RTB_RETURN_IF_ERROR((*texels)[i].Upload(
         std::span<const T>(grids[i].texels, count), stream));
     placed[i].texels = (*texels)[i].data();

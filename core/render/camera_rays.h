@@ -2,6 +2,8 @@
 /// Eye rays through a picture.
 #pragma once
 
+#include <cmath>
+
 #include "core/accel/ray.h"
 #include "core/base/host_device.h"
 #include "core/scene/animation.h"
@@ -22,6 +24,18 @@ inline CameraRays MakeCameraRays(const CameraFrame& frame, double aspect) {
   const double half_height = frame.tan_half_vfov;
   return {frame.position, frame.forward, frame.right * (half_height * aspect),
           frame.up * half_height};
+}
+
+/// How much wider a beam of that share of the picture becomes by each unit of
+/// length along its ray.
+/// @param width,height of the picture, in [0, 1].
+/// @param direction of the ray, unit.
+RTB_HD inline float SpreadOf(const CameraRays& camera, double width,
+                             double height, const V3f& direction) {
+  // At unit depth the picture is 2 |right| x 2 |up|; the root of the area.
+  const double at_depth = 2 * std::sqrt(width * height * camera.right.length() *
+                                        camera.up.length());
+  return static_cast<float>(at_depth * camera.forward.dot(V3d(direction)));
 }
 
 /// The ray through (x, y) of the picture: x to the right, y down, in [0, 1].

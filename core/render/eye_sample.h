@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/accel/ray.h"
+#include "core/shading/ray_cone.h"
 
 namespace rtb {
 
@@ -13,6 +14,7 @@ namespace rtb {
 /// together are well distributed.
 struct EyeSample {
   Ray ray;
+  RayCone cone;               ///< Of what the ray stands for.
   std::uint32_t pattern = 0;  ///< Of the sample: a hash of cell and number.
   std::uint32_t index = 0;    ///< Of the ray among the sample's.
   std::uint64_t seed = 0;     ///< The rendering's.

@@ -31,7 +31,7 @@ class PathTracer {
 
   /// One sample of the radiance along an eye ray. Counts the rays it traces.
   RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) const {
-    Path path{eye.ray, Rgb(1), Rgb(0), 0, true, false};
+    Path path{eye.ray, eye.cone, Rgb(1), Rgb(0), 0, true, false};
     ++counts->camera;
     for (int depth = 0; Extend(eye, depth, &path, counts); ++depth) {
       CountBounce(path, counts);
@@ -42,6 +42,7 @@ class PathTracer {
  private:
   struct Path {
     Ray ray;  ///< The next one to trace.
+    RayCone cone;
     Rgb throughput;
     Rgb radiance;   ///< Gathered so far.
     float pdf;      ///< Of the ray's direction, per solid angle.
@@ -80,7 +81,7 @@ class PathTracer {
       return false;
     }
     const Interaction at =
-        MakeInteraction(shading_, tracer_.geometry(), ray, hit);
+        MakeInteraction(shading_, tracer_.geometry(), ray, hit, path->cone);
     AddEmission(at, hit, path);
     if (at.bsdf.model == SurfaceModel::kEmissive) return false;
     const bool last = depth == max_depth_;
@@ -165,6 +166,7 @@ class PathTracer {
     path->ray = Ray{};
     path->ray.origin = LeavingOrigin(at.point, bounce.direction);
     path->ray.direction = bounce.direction;
+    path->cone = at.cone;
     return path->throughput != Rgb(0);
   }
 

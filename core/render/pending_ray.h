@@ -13,6 +13,7 @@ namespace rtb {
 /// A ray whose radiance is still to be added, times its weight.
 struct PendingRay {
   Ray ray;
+  float width;  ///< Of the beam at the ray's origin.
   Rgb weight;
   int depth;
   std::uint32_t branch;  ///< Which of the eye ray's descendants it is, but
@@ -32,6 +33,7 @@ RTB_HD inline PendingRay ChildOf(const PendingRay& from, const Interaction& at,
                                  std::uint32_t child) {
   // Up to 16 children each; the hash of a long line of them may wrap.
   PendingRay next{{},
+                  at.cone.width,
                   from.weight * weight,
                   from.depth + 1,
                   from.branch * 16 + child,

@@ -14,6 +14,7 @@ PlanView ViewOf(const SamplePlan& plan) {
   view.stride = plan.uniform() ? 0 : plan.samples_per_cell;
   view.positions = plan.positions.data();
   view.footprint = plan.footprint;
+  view.beam = plan.beam;
   view.cells = pointer(plan.cells);
   view.samples_before = pointer(plan.samples_before);
   return view;

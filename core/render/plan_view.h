@@ -20,6 +20,7 @@ struct PlanView {
   int stride = 0;
   const V2f* positions = nullptr;
   V2f footprint{1, 1};
+  V2f beam{1, 1};
   const int* cells = nullptr;
   const int* samples_before = nullptr;
 

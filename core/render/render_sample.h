@@ -3,6 +3,7 @@
 /// on every backend, host and device.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -37,6 +38,14 @@ RTB_HD inline Ray RayThrough(const PlanRays& rays, int entry, int sample,
   return EyeRay(rays.camera, x / plan.columns, y / plan.rows);
 }
 
+/// One of the parts into which a sample's rays divide its beam.
+RTB_HD inline RayCone ConeOf(const PlanRays& rays, const Ray& ray) {
+  const PlanView& plan = rays.plan;
+  const double share = 1 / std::sqrt(static_cast<double>(rays.spp));
+  return {0, SpreadOf(rays.camera, share * plan.beam.x / plan.columns,
+                      share * plan.beam.y / plan.rows, ray.direction)};
+}
+
 /// Ray `index` of those that are stratified over a sample's footprint.
 RTB_HD_CALLED inline Ray JitteredRay(const PlanRays& rays,
                                      const MultiJitter& jitter, int entry,
@@ -67,6 +76,7 @@ RTB_HD MeanOfRays RenderSample(const PlanRays& rays, Integrator& integrator,
     eye.index = static_cast<std::uint32_t>(ray);
     eye.ray = jitter ? JitteredRay(rays, *jitter, entry, sample, eye.index)
                      : RayThrough(rays, entry, sample, V2f(0, 0));
+    eye.cone = ConeOf(rays, eye.ray);
     mean.Add(V3d(integrator.Radiance(eye, counts)));
   }
   return mean;

@@ -24,7 +24,9 @@ SamplePlan RegularPlan(GridSize grid, int nx, int ny, double cell_aspect) {
 }
 
 SamplePlan PixelPlan(int width, int height) {
-  return RegularPlan({width, height}, 1, 1, 1.0);
+  SamplePlan plan = RegularPlan({width, height}, 1, 1, 1.0);
+  plan.beam = V2f(1, 1);
+  return plan;
 }
 
 }  // namespace rtb

@@ -32,6 +32,12 @@ struct SamplePlan {
   /// Width and height, in cells, of the box around each position that the
   /// sample stands for (the support of its box filter).
   V2f footprint{1, 1};
+  /// Width and height, in cells, of the beam over which each sample's rays
+  /// together average textures: a sub-pixel of the canonical 8 x 16 raster,
+  /// whatever the pattern. With the footprint in its place, textures would be
+  /// averaged for the encoders, and edges not: they are to differ by how they
+  /// sample alone.
+  V2f beam{1.0f / 8, 1.0f / 16};
   /// The cells asked for, in any order and as often as needed; empty: all.
   std::vector<int> cells;
   /// For each of `cells` how many samples of that cell were asked for before,
@@ -77,7 +83,8 @@ struct SamplePlan {
 /// footprint is 1/nx x 1/ny.
 SamplePlan RegularPlan(GridSize grid, int nx, int ny, double cell_aspect = 0.5);
 
-/// The plan of an image: one sample at the center of every pixel.
+/// The plan of an image: one sample at the center of every pixel, and beams of
+/// one pixel.
 SamplePlan PixelPlan(int width, int height);
 
 }  // namespace rtb

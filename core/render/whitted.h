@@ -44,7 +44,7 @@ class Whitted {
   /// Radiance along an eye ray. Counts the rays that it traces.
   RTB_HD Rgb Radiance(const EyeSample& eye, RayCounts* counts) {
     Rgb radiance(0);
-    Push({eye.ray, Rgb(1), 0, 1, eye.index, 1, 1, 0, false});
+    Push({eye.ray, eye.cone.width, Rgb(1), 0, 1, eye.index, 1, 1, 0, false});
     while (size_ > 0) {
       const PendingRay pending = stack_[--size_];
       Count(pending, counts);
@@ -96,7 +96,8 @@ class Whitted {
       return BackgroundRadiance(shading_.background, ray.direction);
     }
     const Interaction at =
-        MakeInteraction(shading_, tracer_.geometry(), ray, hit);
+        MakeInteraction(shading_, tracer_.geometry(), ray, hit,
+                        {pending.width, eye.cone.spread});
     if (at.bsdf.model == SurfaceModel::kEmissive) {
       return at.emitted * EmissionWeight(pending, at, hit.t);
     }

@@ -10,6 +10,7 @@
 #include "core/shading/bsdf.h"
 #include "core/shading/bump.h"
 #include "core/shading/light.h"
+#include "core/shading/ray_cone.h"
 #include "core/shading/shading_scene.h"
 #include "core/shading/texture.h"
 
@@ -41,6 +42,7 @@ struct Interaction {
   Rgb emitted{0};         ///< Radiance towards the viewer.
   bool is_light = false;  ///< It is the shape of one of the scene's lights.
   Rgb reflectance{0};     ///< Phong's.
+  RayCone cone;           ///< The beam that goes on from here.
 
   /// The direction in the BSDF's frame, whose +z is the shading normal: on the
   /// viewer's side, but outward for a dielectric.
@@ -127,21 +129,27 @@ RTB_HD inline void ApplyTextures(const ShadingView& shading,
   }
   if (material.texture < 0 && material.bump < 0) return;
   const SurfaceUv uv = UvAt(geometry, hit, at->point);
+  const UvFootprint footprint =
+      FootprintOf(uv, at->point.normal, -at->outgoing, at->cone.width);
   if (material.texture >= 0) {
-    at->bsdf.color = TextureColor(shading.textures[material.texture], uv.uv);
+    at->bsdf.color =
+        TextureColor(shading.textures[material.texture], uv.uv, footprint);
   }
   if (material.bump >= 0) {
     *outward = BumpNormal(shading.bumps[material.bump], uv.uv, uv.dp_du,
-                          uv.dp_dv, *outward);
+                          uv.dp_dv, *outward, footprint);
   }
 }
 
 /// The interaction at a hit; `hit.kind` is not kNothing.
+/// @param cone the beam around the ray, over which textures are averaged.
 RTB_HD inline Interaction MakeInteraction(const ShadingView& shading,
                                           const GeometryView& geometry,
-                                          const Ray& ray, const Hit& hit) {
+                                          const Ray& ray, const Hit& hit,
+                                          const RayCone& cone = {}) {
   Interaction at;
   at.point = SurfaceAt(geometry, ray, hit);
+  at.cone = cone.At((at.point.position - ray.origin).length());
   at.outgoing = -ray.direction;
   at.from_outside = ray.direction.dot(at.point.normal) < 0;
   at.geometric = at.from_outside ? at.point.normal : -at.point.normal;

@@ -89,12 +89,12 @@ class MaterialMaker {
  private:
   using Files = std::map<std::filesystem::path, std::size_t>;
 
-  template <class Loader, class Loaded>
+  template <class Loader, class Levels>
   static Status Read(const std::filesystem::path& file, Loader load,
-                     Files* files, std::vector<Loaded>* images) {
+                     Files* files, std::vector<Levels>* images) {
     if (!files->emplace(file, images->size()).second) return {};
-    RTB_ASSIGN_OR_RETURN(Loaded image, load(file));
-    images->push_back(std::move(image));
+    RTB_ASSIGN_OR_RETURN(const auto image, load(file));
+    images->push_back(MakeMipChain(image));
     return {};
   }
 

@@ -15,6 +15,7 @@
 #include "core/shading/ggx_energy.h"
 #include "core/shading/light_data.h"
 #include "core/shading/material.h"
+#include "core/shading/mip_chain.h"
 #include "core/shading/texture.h"
 #include "core/shading/texture_load.h"
 
@@ -33,9 +34,9 @@ struct EmitterIndices {
 struct ShadingScene {
   std::vector<MaterialData> materials;  ///< One more than the scene's: the
                                         ///< last is the default material.
-  std::vector<Image> texture_images;
+  std::vector<MipChain<Rgb>> texture_images;
   std::vector<ImageTextureData> textures;
-  std::vector<HeightMap> height_maps;
+  std::vector<MipChain<float>> height_maps;
   std::vector<BumpData> bumps;
   Environment environment;
   BackgroundData background;

@@ -1,5 +1,6 @@
 /// @file
-/// Bilinear lookup in images, host and device, and image textures.
+/// Bilinear lookup in images, host and device, and image textures, averaged
+/// over what a ray sees of them.
 #pragma once
 
 #include <cmath>
@@ -7,6 +8,7 @@
 
 #include "core/base/host_device.h"
 #include "core/math/vec.h"
+#include "core/shading/texture_taps.h"
 
 namespace rtb {
 
@@ -17,6 +19,8 @@ struct TexelGrid {
   int width = 0;
   int height = 0;
   const T* texels = nullptr;
+  /// This grid and those of half the size each that follow it (MipChain).
+  int levels = 1;
 
   RTB_HD const T& at(int x, int y) const {
     return texels[static_cast<std::size_t>(y) *
@@ -24,6 +28,29 @@ struct TexelGrid {
                   static_cast<std::size_t>(x)];
   }
 };
+
+/// The size of the grid after one of that size, along one axis.
+RTB_HD inline int HalfSize(int size) { return size > 1 ? size / 2 : 1; }
+
+/// A level of a grid, 0 the grid itself.
+template <class T>
+RTB_HD TexelGrid<T> LevelOf(TexelGrid<T> grid, int level) {
+  for (; level > 0; --level) {
+    grid.texels += static_cast<std::size_t>(grid.width) *
+                   static_cast<std::size_t>(grid.height);
+    grid.width = HalfSize(grid.width);
+    grid.height = HalfSize(grid.height);
+    --grid.levels;
+  }
+  return grid;
+}
+
+/// Texels of a grid and of the levels after it.
+template <class T>
+std::size_t TexelsOfAllLevels(const TexelGrid<T>& grid) {
+  return static_cast<std::size_t>(LevelOf(grid, grid.levels).texels -
+                                  grid.texels);
+}
 
 /// How a grid goes on past its edges.
 enum class EdgeRule { kWrap, kClamp };
@@ -71,15 +98,29 @@ RTB_HD V2f TexelPosition(const TexelGrid<T>& grid, const V2f& uv,
           (1 - Fraction(uv.y * scale.y)) * static_cast<float>(grid.height)};
 }
 
+/// Texels per unit of u and v.
+template <class T>
+RTB_HD V2f TexelsPerUv(const TexelGrid<T>& grid, const V2f& scale) {
+  return {scale.x * static_cast<float>(grid.width),
+          scale.y * static_cast<float>(grid.height)};
+}
+
 /// An image texture: scene-linear texels, repeated in both directions.
 struct ImageTextureData : TexelGrid<Rgb> {
   V2f scale{1, 1};  ///< Multiplies (u, v).
 };
 
-/// The texture's color at (u, v).
-RTB_HD inline Rgb TextureColor(const ImageTextureData& texture, const V2f& uv) {
-  const V2f p = TexelPosition(texture, uv, texture.scale);
-  return Bilinear(texture, p.x, p.y, EdgeRule::kWrap);
+/// The texture's color at (u, v), averaged over a footprint around it; a
+/// footprint of no size is the point.
+RTB_HD inline Rgb TextureColor(const ImageTextureData& texture, const V2f& uv,
+                               const UvFootprint& footprint = {}) {
+  const V2f texels = TexelsPerUv(texture, texture.scale);
+  const TextureTaps taps = MakeTextureTaps(footprint, texels, texture.levels);
+  return MeanOfTaps<Rgb>(taps, uv, [&](int level, const V2f& at) {
+    const TexelGrid<Rgb> grid = LevelOf<Rgb>(texture, level);
+    const V2f p = TexelPosition(grid, at, texture.scale);
+    return Bilinear(grid, p.x, p.y, EdgeRule::kWrap);
+  });
 }
 
 }  // namespace rtb

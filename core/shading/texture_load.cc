@@ -48,8 +48,8 @@ Result<Image> LoadTexture(const std::filesystem::path& file) {
   return image;
 }
 
-ImageTextureData TextureOf(const Image& image, const V2f& scale) {
-  return {{image.width(), image.height(), image.pixels().data()}, scale};
+ImageTextureData TextureOf(const MipChain<Rgb>& image, const V2f& scale) {
+  return {image.grid(), scale};
 }
 
 Result<HeightMap> LoadHeightMap(const std::filesystem::path& file) {
@@ -66,8 +66,8 @@ Result<HeightMap> LoadHeightMap(const std::filesystem::path& file) {
   return map;
 }
 
-BumpData BumpOf(const HeightMap& map, const V2f& scale, float amount) {
-  return {{map.width, map.height, map.values.data()}, scale, amount};
+BumpData BumpOf(const MipChain<float>& map, const V2f& scale, float amount) {
+  return {map.grid(), scale, amount};
 }
 
 }  // namespace rtb

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/shading/bump.h"
+#include "core/shading/mip_chain.h"
 #include "core/shading/texture.h"
 
 namespace rtb {
@@ -29,23 +29,16 @@ Status CheckTexels(const Image& image, const std::filesystem::path& file,
 /// sRGB-encoded, floats are linear. An Error names the file.
 Result<Image> LoadTexture(const std::filesystem::path& file);
 
-/// The texture that shows an image, which must outlive it.
-ImageTextureData TextureOf(const Image& image, const V2f& scale);
-
-/// Heights, row by row from the top left.
-struct HeightMap {
-  int width = 0;
-  int height = 0;
-  std::vector<float> values;
-};
+/// The texture that shows an image, whose levels must outlive it.
+ImageTextureData TextureOf(const MipChain<Rgb>& image, const V2f& scale);
 
 /// Reads a height map: integer codes over the largest code, floats as they
 /// are; the mean of the components where the image has color. An Error names
 /// the file.
 Result<HeightMap> LoadHeightMap(const std::filesystem::path& file);
 
-/// The bump map of a height map, which must outlive it.
+/// The bump map of a height map, whose levels must outlive it.
 /// @param amount height of value 1 in scene units.
-BumpData BumpOf(const HeightMap& map, const V2f& scale, float amount);
+BumpData BumpOf(const MipChain<float>& map, const V2f& scale, float amount);
 
 }  // namespace rtb

@@ -52,9 +52,12 @@ class SceneBuilder {
     scene.background.kind = ConstantBackground{color};
   }
 
-  /// The radiance that a single ray through the picture's center brings.
+  /// The radiance that a single ray through the picture's center brings, which
+  /// is all that it stands for.
   Rgb Center(const RenderOptions& options = {}) const {
-    return Render(PixelPlan(1, 1), options).values.at(0);
+    SamplePlan plan = PixelPlan(1, 1);
+    plan.beam = V2f(0, 0);
+    return Render(plan, options).values.at(0);
   }
   /// Renders a plan; aborts on an Error.
   Fragments Render(const SamplePlan& plan,

@@ -64,6 +64,34 @@ class TexturesTest : public ::testing::Test {
   std::filesystem::path file_;
 };
 
+// Each pixel's beam covers 8 x 8 repetitions of the image, of which one ray
+// sees the mean, (1 + 0 + 0 + 1) / 4 of each color; by a mirror too.
+TEST_F(TexturesTest, RaysSeeTheMeanOfWhatTheyStandFor) {
+  SceneBuilder direct = Textured();
+  direct.scene.materials[0].texture = ImageTexture{file_, V2d(80, 80)};
+  direct.Add(Quad{V3d(-20, -20, 0), {V3d(40, 0, 0), V3d(0, 40, 0)}}, 0);
+  SceneBuilder mirrored = direct;
+  direct.Look(V3d(0, 0, 10), V3d(0, 0, 0));
+  // Looks away from the quad, at a mirror 5 behind.
+  mirrored.Add(Quad{V3d(-20, -20, 10), {V3d(40, 0, 0), V3d(0, 40, 0)}},
+               mirrored.Add(Mirror{}));
+  mirrored.Look(V3d(0, 0, 5), V3d(0, 0, 10));
+  for (SceneBuilder* b : {&direct, &mirrored}) {
+    b->scene.camera.vfov = 90;
+    b->SetBackground(Rgb(1));
+    // The sky does not reach between the mirror and the quad.
+    for (const char* integrator : {"whitted", "path"}) {
+      if (b == &mirrored && integrator == std::string("path")) break;
+      const Fragments seen = b->Render(PixelPlan(5, 5), By(integrator, 2));
+      for (const Rgb& color : seen.values) {
+        EXPECT_GT(color.y, 0) << integrator;
+        EXPECT_NEAR(color.x / color.y, 1, 0.05f) << integrator << color;
+        EXPECT_NEAR(color.z / color.y, 1, 0.05f) << integrator << color;
+      }
+    }
+  }
+}
+
 TEST_F(TexturesTest, QuadAlongItsEdges) {
   SceneBuilder b = Textured();
   const V3d corner(-1, 0, 2), e0(2, 0.5, 0), e1(0.3, 3, -1);

@@ -11,7 +11,7 @@ namespace rtb {
 namespace {
 
 /// 16 x 8 texels of height a * column + b * (rows from the bottom).
-HeightMap Ramp(float a, float b) {
+MipChain<float> Ramp(float a, float b) {
   HeightMap map{16, 8, {}};
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
@@ -19,7 +19,7 @@ HeightMap Ramp(float a, float b) {
                            b * static_cast<float>(map.height - 1 - y));
     }
   }
-  return map;
+  return MakeMipChain(map);
 }
 
 const V2f kMiddle(0.47f, 0.53f);
@@ -32,7 +32,8 @@ void ExpectNear(const V3f& a, const V3f& b) {
 }
 
 TEST(BumpTest, FlatHeightsKeepTheNormal) {
-  const HeightMap flat{2, 2, {0.7f, 0.7f, 0.7f, 0.7f}};
+  const MipChain<float> flat =
+      MakeMipChain(HeightMap{2, 2, {0.7f, 0.7f, 0.7f, 0.7f}});
   const V3f normal = V3f(0.1f, -0.2f, 1).normalized();
   for (const V2f& uv : {V2f(0), V2f(0.3f, 0.9f), V2f(-5.2f, 7.7f)}) {
     EXPECT_LT((BumpNormal(BumpOf(flat, V2f(3), 5), uv, kX, kY, normal) - normal)
@@ -44,11 +45,11 @@ TEST(BumpTest, FlatHeightsKeepTheNormal) {
 // A height that rises along u tilts the normal towards -dp/du, one along v,
 // which runs up the image, towards -dp/dv.
 TEST(BumpTest, NormalsTiltAgainstTheRise) {
-  const HeightMap along_u = Ramp(1, 0);
+  const MipChain<float> along_u = Ramp(1, 0);
   const V3f a = BumpNormal(BumpOf(along_u, V2f(1), 0.01f), kMiddle, kX, kY, kZ);
   EXPECT_LT(a.x, -0.1f);
   EXPECT_NEAR(a.y, 0, 1e-6);
-  const HeightMap along_v = Ramp(0, 1);
+  const MipChain<float> along_v = Ramp(0, 1);
   const V3f b = BumpNormal(BumpOf(along_v, V2f(1), 0.01f), kMiddle, kX, kY, kZ);
   EXPECT_NEAR(b.x, 0, 1e-6);
   EXPECT_LT(b.y, -0.05f);
@@ -58,7 +59,7 @@ TEST(BumpTest, NormalsTiltAgainstTheRise) {
 // a * amount: slope dz/dx = a amount 16 / 2, and dz/dy = b amount 8 / 3.
 // The normal of z = s x + t y is (-s, -t, 1).
 TEST(BumpTest, TiltedPlaneHasTheClosedFormNormal) {
-  const HeightMap map = Ramp(0.25f, -0.5f);
+  const MipChain<float> map = Ramp(0.25f, -0.5f);
   const float amount = 0.3f;
   const V3f expected(-0.25f * amount * 8, 0.5f * amount * 8 / 3, 1);
   ExpectNear(
@@ -74,7 +75,7 @@ TEST(BumpTest, TiltedPlaneHasTheClosedFormNormal) {
 // dp/dv + n dh/dv; their cross product is the normal, up to the handedness.
 // The map is linear here, so the terms that Blinn leaves out are zero.
 TEST(BumpTest, RotatedSlantedAndMirroredTangents) {
-  const HeightMap map = Ramp(0.25f, -0.5f);
+  const MipChain<float> map = Ramp(0.25f, -0.5f);
   const float amount = 0.3f;
   const float du = 0.25f * amount * 16;
   const float dv = -0.5f * amount * 8;
@@ -93,7 +94,7 @@ TEST(BumpTest, RotatedSlantedAndMirroredTangents) {
 }
 
 TEST(BumpTest, NegativeAmountsAndScalesTurnTheTiltAround) {
-  const HeightMap map = Ramp(1, 0);
+  const MipChain<float> map = Ramp(1, 0);
   const V3f rise = BumpNormal(BumpOf(map, V2f(1), 0.01f), kMiddle, kX, kY, kZ);
   const V3f fall = BumpNormal(BumpOf(map, V2f(1), -0.01f), kMiddle, kX, kY, kZ);
   ExpectNear(fall, V3f(-rise.x, rise.y, rise.z));
@@ -104,7 +105,7 @@ TEST(BumpTest, NegativeAmountsAndScalesTurnTheTiltAround) {
 // Heights 0 1 0 1 ...: the slope goes from one sign to the other in straight
 // lines, without jumps: by at most 4 per texel, here 256 steps a texel.
 TEST(BumpTest, SlopesAreContinuous) {
-  const HeightMap map{4, 1, {0, 1, 0, 1}};
+  const MipChain<float> map = MakeMipChain(HeightMap{4, 1, {0, 1, 0, 1}});
   const BumpData bump = BumpOf(map, V2f(1), 0.25f);  // slope per texel
   float least = 0, most = 0;
   float before = HeightSlope(bump, V2f(0)).x;
@@ -121,7 +122,7 @@ TEST(BumpTest, SlopesAreContinuous) {
 }
 
 TEST(BumpTest, WithoutTangentsTheNormalStays) {
-  const HeightMap map = Ramp(1, 1);
+  const MipChain<float> map = Ramp(1, 1);
   const BumpData bump = BumpOf(map, V2f(1), 1);
   EXPECT_EQ(BumpNormal(bump, kMiddle, V3f(0), kY, kZ), kZ);
   EXPECT_EQ(BumpNormal(bump, kMiddle, kY, kY * 2, kZ), kZ);
