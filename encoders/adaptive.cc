@@ -27,7 +27,7 @@ constexpr int kGrain = 16;
 
 /// Each place of the raster is the mean of three samples, drawn towards that of
 /// many where there is noise: a little over a third of their variance.
-constexpr double kRebuiltNoise = 0.6;
+constexpr double kRebuiltNoise = 0.58;
 
 const EncoderParameter& RaysParameter() {
   static const EncoderParameter parameter{

@@ -1,5 +1,7 @@
 #include "encoders/adaptive/blend_nearest.h"
 
+#include <algorithm>
+
 #include "core/base/check.h"
 #include "encoders/adaptive/samples.h"
 
@@ -150,6 +152,20 @@ void NearSamples::Add(const V2f& at, const Rgb& encoded_color,
   y.push_back(at.y);
   encoded.push_back(encoded_color);
   linear.push_back(linear_color);
+}
+
+bool NearSamples::Alike() const {
+  constexpr float kUnseen = 2.0f / 255;
+  Rgb low = encoded[0];
+  Rgb high = low;
+  for (const Rgb& color : encoded) {
+    for (int c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], color[c]);
+      high[c] = std::max(high[c], color[c]);
+    }
+  }
+  const Rgb range = high - low;
+  return std::max({range.x, range.y, range.z}) < kUnseen;
 }
 
 BlendPlaces::BlendPlaces(int width, int height, float cell_width) {

@@ -25,6 +25,8 @@ struct NearSamples {
   std::vector<Rgb> linear;
 
   std::size_t size() const { return x.size(); }
+  /// Whether they differ by so little that nothing of it is seen.
+  bool Alike() const;
   void Clear();
   void Add(const V2f& at, const Rgb& encoded_color, const Rgb& linear_color);
 };

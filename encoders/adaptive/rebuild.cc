@@ -6,6 +6,7 @@
 #include "core/color/srgb.h"
 #include "encoders/adaptive/blend_nearest.h"
 #include "encoders/adaptive/by_cell.h"
+#include "encoders/adaptive/edge_metric.h"
 #include "encoders/adaptive/reliance.h"
 #include "encoders/adaptive/wide_mean.h"
 
@@ -23,12 +24,13 @@ class CellBuilder {
   CellBuilder(const ByCell& samples, int width, int height)
       : samples_(samples),
         places_(width, height, samples.cell_width()),
+        turned_places_(places_),
         blended_(places_) {}
 
   /// @param reliance on the nearest samples.
   void Build(int cell, float reliance, std::span<Rgb> out) {
     samples_.Gather(cell, near_);
-    BlendNearest(near_, places_, blended_);
+    BlendNearest();
     SrgbEncode(blended_.linear, blended_.linear);
     for (std::size_t i = 0; i < out.size(); ++i) {
       const Rgb& far = blended_.encoded[i];
@@ -38,6 +40,20 @@ class CellBuilder {
   }
 
  private:
+  /// Each place from its nearest samples, nearest by the metric of the cell.
+  void BlendNearest() {
+    if (near_.Alike()) {
+      rtb::BlendNearest(near_, places_, blended_);
+      return;
+    }
+    const EdgeMetric metric = MetricOf(near_);
+    turned_ = near_;
+    metric.Turn(turned_.x, turned_.y);
+    turned_places_ = places_;
+    metric.Turn(turned_places_.x, turned_places_.y);
+    rtb::BlendNearest(turned_, turned_places_, blended_);
+  }
+
   void MoveToWide(float reliance, std::span<Rgb> out) {
     wide_.resize(out.size(), Rgb(0));
     BlendWide(near_, places_, wide_);
@@ -48,7 +64,9 @@ class CellBuilder {
 
   const ByCell& samples_;
   BlendPlaces places_;
+  BlendPlaces turned_places_;
   NearSamples near_;
+  NearSamples turned_;
   BlendedPlaces blended_;
   std::vector<Rgb> wide_;
 };

@@ -81,26 +81,11 @@ class LeftOut {
   Rgb nearest_{0};
 };
 
-/// Whether the samples are so much alike that nothing of it is seen.
-bool Flat(const NearSamples& near) {
-  constexpr float kUnseen = 2.0f / 255;
-  Rgb low = near.encoded[0];
-  Rgb high = low;
-  for (const Rgb& color : near.encoded) {
-    for (int c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], color[c]);
-      high[c] = std::max(high[c], color[c]);
-    }
-  }
-  const Rgb range = high - low;
-  return std::max({range.x, range.y, range.z}) < kUnseen;
-}
-
 /// How one cell's own samples follow from the others. A sample counts as the
 /// area that it stands for, or edges, where samples crowd, would speak for all.
 Regression RegressionOf(const NearSamples& near, float cell_width) {
   Regression sums;
-  if (near.size() < 2 || Flat(near)) return sums;
+  if (near.size() < 2 || near.Alike()) return sums;
   for (std::size_t n = 0; n < near.size(); ++n) {
     const bool inside = near.x[n] >= 0 && near.x[n] < cell_width &&
                         near.y[n] >= 0 && near.y[n] < kCellHeight;

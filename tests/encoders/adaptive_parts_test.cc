@@ -180,12 +180,11 @@ TEST(AdaptiveRebuild, NeverLeavesTheRangeOfTheSamples) {
   }
 }
 
-/// Mean squared distance of the red of a noise's raster from its mean.
+/// Variance of the red of a noise's raster.
 double SpreadOfNoise(Texture texture) {
   const SeenSamples samples = RandomSamples(16);
   const RebuiltRaster raster = Rebuild(samples, 8, 16, kCellAspect, texture, 1);
-  double sum = 0;
-  double squares = 0;
+  double sum = 0, squares = 0;
   for (const Rgb& color : raster.encoded) {
     const double red = static_cast<double>(color.x);
     sum += red;
@@ -222,6 +221,38 @@ SeenSamples SamplesOf(int each, const GrayAt& gray_at) {
 
 std::vector<float> ReliancesOf(const SeenSamples& samples) {
   return Reliances(ByCell(samples, kCellAspect), 1);
+}
+
+/// Mean squared error of the rebuilt red of a gray picture.
+template <class GrayAt>
+double ErrorOf(const GrayAt& gray_at) {
+  const RebuiltRaster raster =
+      Rebuild(SamplesOf(8, gray_at), 8, 16, kCellAspect, Texture::kKept, 1);
+  double sum = 0;
+  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+    for (int i = 0; i < 128; ++i) {
+      const V2f pixel(static_cast<float>(i % 8), static_cast<float>(i / 8));
+      const float gray =
+          gray_at(PlaceOf(cell, (pixel + V2f(0.5f)) / V2f(8, 16)));
+      const Rgb& color = raster.cell(cell)[static_cast<std::size_t>(i)];
+      sum += std::pow(static_cast<double>(color.x - gray), 2);
+    }
+  }
+  return sum / (128 * kGrid.cells());
+}
+
+// Along an edge samples count as nearer: stripes of 6 sub-pixels are rebuilt
+// better than checkers of 12, whose edges are as long.
+TEST(AdaptiveRebuild, FollowsEdges) {
+  const auto band = [](float at, float width) {
+    return static_cast<int>(at / width) % 2;
+  };
+  const double stripes = ErrorOf(
+      [&](const V2f& place) { return band(place.y, 6) == 0 ? 0.1f : 0.8f; });
+  const double checkers = ErrorOf([&](const V2f& place) {
+    return band(place.y, 12) == band(place.x, 12) ? 0.1f : 0.8f;
+  });
+  EXPECT_LT(stripes, 0.8 * checkers);
 }
 
 // A gradient is foretold by what is near, wherever one looks.
