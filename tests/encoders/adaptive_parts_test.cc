@@ -186,7 +186,7 @@ double SpreadOfNoise(Texture texture) {
   const RebuiltRaster raster = Rebuild(samples, 8, 16, kCellAspect, texture, 1);
   double sum = 0, squares = 0;
   for (const Rgb& color : raster.encoded) {
-    const double red = static_cast<double>(color.x);
+    const auto red = static_cast<double>(color.x);
     sum += red;
     squares += red * red;
   }
@@ -223,7 +223,7 @@ std::vector<float> ReliancesOf(const SeenSamples& samples) {
   return Reliances(ByCell(samples, kCellAspect), 1);
 }
 
-/// Mean squared error of the rebuilt red of a gray picture.
+/// Mean squared error of a rebuilt gray.
 template <class GrayAt>
 double ErrorOf(const GrayAt& gray_at) {
   const RebuiltRaster raster =
@@ -241,8 +241,7 @@ double ErrorOf(const GrayAt& gray_at) {
   return sum / (128 * kGrid.cells());
 }
 
-// Along an edge samples count as nearer: stripes of 6 sub-pixels are rebuilt
-// better than checkers of 12, whose edges are as long.
+// Along edges samples count as nearer, unless these run both ways.
 TEST(AdaptiveRebuild, FollowsEdges) {
   const auto band = [](float at, float width) {
     return static_cast<int>(at / width) % 2;
