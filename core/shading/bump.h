@@ -31,8 +31,8 @@ RTB_HD inline V2f SlopePerTexel(const TexelGrid<float>& grid, const V2f& p) {
 /// (dh/du, dh/dv) in scene units per unit of u and v, averaged over a footprint
 /// around (u, v). The mean slope is what a matte surface far away is shaded by,
 /// as light on it is linear in small slopes.
-RTB_HD inline V2f HeightSlope(const BumpData& bump, const V2f& uv,
-                              const UvFootprint& footprint = {}) {
+RTB_HD_CALLED inline V2f HeightSlope(const BumpData& bump, const V2f& uv,
+                                     const UvFootprint& footprint = {}) {
   const V2f texels = TexelsPerUv(bump, bump.scale);
   const TextureTaps taps = MakeTextureTaps(footprint, texels, bump.levels);
   const V2f slope = MeanOfTaps<V2f>(taps, uv, [&](int level, const V2f& at) {

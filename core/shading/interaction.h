@@ -143,10 +143,10 @@ RTB_HD inline void ApplyTextures(const ShadingView& shading,
 
 /// The interaction at a hit; `hit.kind` is not kNothing.
 /// @param cone the beam around the ray, over which textures are averaged.
-RTB_HD inline Interaction MakeInteraction(const ShadingView& shading,
-                                          const GeometryView& geometry,
-                                          const Ray& ray, const Hit& hit,
-                                          const RayCone& cone = {}) {
+RTB_HD_CALLED inline Interaction MakeInteraction(const ShadingView& shading,
+                                                 const GeometryView& geometry,
+                                                 const Ray& ray, const Hit& hit,
+                                                 const RayCone& cone = {}) {
   Interaction at;
   at.point = SurfaceAt(geometry, ray, hit);
   at.cone = cone.At((at.point.position - ray.origin).length());

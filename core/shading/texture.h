@@ -112,8 +112,9 @@ struct ImageTextureData : TexelGrid<Rgb> {
 
 /// The texture's color at (u, v), averaged over a footprint around it; a
 /// footprint of no size is the point.
-RTB_HD inline Rgb TextureColor(const ImageTextureData& texture, const V2f& uv,
-                               const UvFootprint& footprint = {}) {
+RTB_HD_CALLED inline Rgb TextureColor(const ImageTextureData& texture,
+                                      const V2f& uv,
+                                      const UvFootprint& footprint = {}) {
   const V2f texels = TexelsPerUv(texture, texture.scale);
   const TextureTaps taps = MakeTextureTaps(footprint, texels, texture.levels);
   return MeanOfTaps<Rgb>(taps, uv, [&](int level, const V2f& at) {

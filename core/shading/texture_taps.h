@@ -17,7 +17,6 @@ namespace rtb {
 /// Anisotropic Texture Mapping", SIGGRAPH 1999; levels as in Williams,
 /// "Pyramidal Parametrics", SIGGRAPH 1983.
 struct TextureTaps {
-  static constexpr int kMost = 16;
   int count = 1;
   V2f first{0, 0};  ///< From (u, v) to the first one.
   V2f step{0, 0};   ///< From one to the next.
@@ -63,11 +62,11 @@ RTB_HD inline TextureTaps MakeTextureTaps(const UvFootprint& footprint,
       PrincipalAxes(footprint.a * texels, footprint.b * texels);
   // Also false for what is no number.
   if (!(axes.longer > 1) || !std::isfinite(axes.longer)) return taps;
+  constexpr int kMost = 16;
   const float line = std::sqrt(axes.longer - axes.shorter);
-  float size = std::max(std::sqrt(axes.shorter / 3), line / TextureTaps::kMost);
+  float size = std::max(std::sqrt(axes.shorter / 3), line / kMost);
   size = std::max(size, 1.0f);
-  taps.count = std::clamp(static_cast<int>(std::ceil(line / size)), 1,
-                          TextureTaps::kMost);
+  taps.count = std::clamp(static_cast<int>(std::ceil(line / size)), 1, kMost);
   const auto count = static_cast<float>(taps.count);
   taps.step = axes.direction * (line / count) / texels;
   taps.first = taps.step * ((1 - count) / 2);
