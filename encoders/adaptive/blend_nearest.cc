@@ -168,6 +168,12 @@ bool NearSamples::Alike() const {
   return std::max({range.x, range.y, range.z}) < kUnseen;
 }
 
+bool NearSamples::Overexposed() const {
+  return std::ranges::any_of(linear, [](const Rgb& light) {
+    return std::min({light.x, light.y, light.z}) >= 1;
+  });
+}
+
 BlendPlaces::BlendPlaces(int width, int height, float cell_width) {
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {

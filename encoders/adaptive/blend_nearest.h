@@ -27,6 +27,8 @@ struct NearSamples {
   std::size_t size() const { return x.size(); }
   /// Whether they differ by so little that nothing of it is seen.
   bool Alike() const;
+  /// Whether some of the light is white, or was more than that.
+  bool Overexposed() const;
   void Clear();
   void Add(const V2f& at, const Rgb& encoded_color, const Rgb& linear_color);
 };

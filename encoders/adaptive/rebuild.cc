@@ -40,9 +40,11 @@ class CellBuilder {
   }
 
  private:
-  /// Each place from its nearest samples, nearest by the metric of the cell.
+  /// Each place from its nearest samples, nearest by the metric of the cell. A
+  /// pixel at the edge of a lamp is as bright as the lamp if little of it is
+  /// seen in it: there both sides have to be mixed.
   void BlendNearest() {
-    if (near_.Alike()) {
+    if (near_.Alike() || near_.Overexposed()) {
       rtb::BlendNearest(near_, places_, blended_);
       return;
     }
