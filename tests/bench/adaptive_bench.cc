@@ -57,7 +57,9 @@ void Choose(benchmark::State& state, const std::string& scene) {
 }  // namespace
 
 void RegisterAdaptiveBenchmarks() {
-  for (const std::string scene : {"cornell", "explore", "glass", "whitted"}) {
+  for (const std::string scene :
+       {"bump", "cornell", "cornell-area", "explore", "glass", "lambertian",
+        "metal", "moving", "shadow", "tessellation", "whitted"}) {
     benchmark::RegisterBenchmark(
         ("adaptive/choose/" + scene).c_str(),
         [scene](benchmark::State& state) { Choose(state, scene); })
