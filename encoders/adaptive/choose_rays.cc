@@ -14,14 +14,9 @@ namespace {
 /// Cells that a thread takes at once.
 constexpr int kGrain = 480;
 
-/// Cells so much later are fetched from memory already.
-constexpr std::size_t kAhead = 4;
-
-/// Cells take turns, those of the largest gains first: these want many rays,
-/// and from what they gain follows how little is too little for others. A turn
-/// ends with the cell that would be the last one if so many 16ths of the rays
-/// went to a cell each.
-constexpr std::array<int, 7> kTurns = {2, 3, 4, 5, 7, 10, 16};
+/// A turn ends with the cell that would be the last one if so many 16ths of the
+/// rays went to a cell each.
+constexpr std::array<int, kTurns> kTurnEnds = {3, 5, 9, 16};
 
 /// The choice of one round.
 class Chooser {
@@ -30,86 +25,128 @@ class Chooser {
           const RayRequest& request)
       : map_(map), samples_(samples), request_(request) {
     const int cells = samples.grid().cells();
-    parts_.resize(static_cast<std::size_t>((cells + kGrain - 1) / kGrain));
     for (int cell = 0; cell < cells; ++cell) {
-      if (samples.count(cell) == kMostPerCell) continue;
-      threshold_.Add(map.best_gains()[static_cast<std::size_t>(cell)]);
+      threshold_.Add(Gain(cell), samples.count(cell) < kMostPerCell);
     }
+    parts_.resize(static_cast<std::size_t>((cells + kGrain - 1) / kGrain));
   }
 
   std::vector<RayChoice> Choose() {
-    std::array<float, kTurns.size()> ends;
-    std::ranges::transform(kTurns, ends.begin(), [this](int part) {
+    std::array<float, kTurns> ends;
+    std::ranges::transform(kTurnEnds, ends.begin(), [this](int part) {
       const std::int64_t rays = std::int64_t{request_.rays} * part / 16;
       return threshold_.Of(static_cast<int>(rays)).from;
     });
+    FindCells(ends);
     // That many cells have a ray that gains this much: none below is wanted.
     least_ = ends.back();
     float below = std::numeric_limits<float>::infinity();
-    for (const float end : ends) {
-      const float from = std::min(below, std::max(end, least_));
-      if (from == below) continue;
-      FindRays(from, below);
-      below = from;
+    for (std::size_t turn = 0; turn < kTurns && below > least_; ++turn) {
+      FindRays(turn);
       RaiseLeast();
+      below = ends[turn];
     }
     return TakeBest(parts_, request_.rays, threshold_);
   }
 
  private:
-  /// In all cells whose best gain is in [from, below).
-  void FindRays(float from, float below) {
-    ParallelFor(samples_.grid().cells(), kGrain, request_.threads,
+  float Gain(int cell) const {
+    return map_.best_gains()[static_cast<std::size_t>(cell)];
+  }
+
+  /// Which cells' turn it is when.
+  /// @param ends the least gains of the turns, which fall.
+  void FindCells(const std::array<float, kTurns>& ends) {
+    const int cells = samples_.grid().cells();
+    for (int begin = 0; begin < cells; begin += kGrain) {
+      FoundRays& part = parts_[static_cast<std::size_t>(begin / kGrain)];
+      part.begin = begin;
+      part.end = std::min(begin + kGrain, cells);
+      // One turn more, of which nothing comes.
+      std::array<std::array<int, kGrain>, kTurns + 1> found;
+      std::array<std::size_t, kTurns + 1> counts{};
+      const std::array<int, kGrain> turns = TurnsOf(part, ends);
+      for (int cell = begin; cell < part.end; ++cell) {
+        const auto turn = static_cast<std::size_t>(
+            turns[static_cast<std::size_t>(cell - begin)]);
+        found[turn][counts[turn]++] = cell;
+      }
+      for (std::size_t turn = 0; turn < kTurns; ++turn) {
+        const auto first = found[turn].begin();
+        part.cells[turn].assign(
+            first, first + static_cast<std::ptrdiff_t>(counts[turn]));
+      }
+    }
+  }
+
+  /// The turn of each cell. A loop of its own, which compilers turn into
+  /// vectors.
+  std::array<int, kGrain> TurnsOf(const FoundRays& part,
+                                  const std::array<float, kTurns>& ends) const {
+    std::array<int, kGrain> turns;
+    const float* const gains = map_.best_gains().data() + part.begin;
+    const int* const counts = samples_.counts().data() + part.begin;
+    for (int i = 0; i < part.end - part.begin; ++i) {
+      int turn = 0;
+      for (const float end : ends) turn += gains[i] < end ? 1 : 0;
+      turns[static_cast<std::size_t>(i)] =
+          counts[i] < kMostPerCell ? turn : static_cast<int>(kTurns);
+    }
+    return turns;
+  }
+
+  void FindRays(std::size_t turn) {
+    ParallelFor(static_cast<int>(parts_.size()), 1, request_.threads,
                 [&](int begin, int end) {
-                  FindIn(CellsOf(begin, end, from, below), begin,
-                         parts_[static_cast<std::size_t>(begin / kGrain)]);
+                  for (int i = begin; i < end; ++i) {
+                    FindIn(parts_[static_cast<std::size_t>(i)], turn);
+                  }
                 });
   }
 
-  /// Some cells, by rising numbers.
-  struct Cells {
-    std::array<int, kGrain> cells;
+  void FindIn(FoundRays& part, std::size_t turn) const {
+    std::array<int, kCellsAtOnce> cells;
     std::size_t count = 0;
-  };
-  Cells CellsOf(int begin, int end, float from, float below) const {
-    Cells found;
-    for (int cell = begin; cell < end; ++cell) {
-      const float gain = map_.best_gains()[static_cast<std::size_t>(cell)];
-      found.cells[found.count] = cell;
+    for (const int cell : part.cells[turn]) {
+      cells[count] = cell;
       // Without a branch, which would be a guess.
-      found.count += static_cast<std::size_t>((gain >= from) & (gain < below));
+      count += static_cast<std::size_t>(Gain(cell) >= least_);
+      if (count < kCellsAtOnce) continue;
+      FindIn(cells, part);
+      count = 0;
     }
-    return found;
+    if (count > 0) FindIn(std::span(cells).first(count), part);
   }
 
-  void FindIn(const Cells& cells, int begin, FoundRays& part) const {
-    part.at.resize(kGrain);
-    part.counts.resize(kGrain);
-    std::array<RayChoice, kMostPerCell> found;
-    for (std::size_t i = 0; i < cells.count; ++i) {
-      map_.Prefetch(cells.cells[std::min(i + kAhead, cells.count - 1)]);
-      const int cell = cells.cells[i];
-      CellChoice choice = map_.ChoiceIn(cell);
-      choice.seen = samples_.count(cell);
-      choice.most =
-          std::min(request_.most_per_cell, kMostPerCell - choice.seen);
-      choice.least = least_;
-      choice.seed = request_.seed;
-      const int count = ChooseInCell(choice, found.data());
-      const auto place = static_cast<std::size_t>(cell - begin);
-      part.at[place] = static_cast<std::uint32_t>(part.rays.size());
-      part.counts[place] = static_cast<std::uint8_t>(count);
-      part.rays.insert(part.rays.end(), found.begin(), found.begin() + count);
+  /// @param cells kCellsAtOnce at most.
+  void FindIn(std::span<const int> cells, FoundRays& part) const {
+    std::array<CellChoice, kCellsAtOnce> choices;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const int seen = samples_.count(cells[i]);
+      choices[i] = {&map_.Slots(cells[i]), cells[i], seen,
+                    std::min(request_.most_per_cell, kMostPerCell - seen)};
+    }
+    const auto room = static_cast<std::size_t>(request_.most_per_cell);
+    part.room.resize(room * kCellsAtOnce);
+    std::array<int, kCellsAtOnce> counts;
+    ChooseInCells(std::span(choices).first(cells.size()),
+                  {map_.cell_width(), least_, request_.seed}, room,
+                  part.room.data(), counts.data());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto first =
+          part.room.begin() + static_cast<std::ptrdiff_t>(i * room);
+      part.rays.insert(part.rays.end(), first, first + counts[i]);
     }
   }
 
   /// A cell's best gain has been counted already.
   void RaiseLeast() {
     for (FoundRays& part : parts_) {
+      int before = -1;
       for (; part.known < part.rays.size(); ++part.known) {
-        if (part.IsLater(part.known, 1)) {
-          threshold_.Add(part.rays[part.known].gain);
-        }
+        const RayChoice& ray = part.rays[part.known];
+        threshold_.Add(ray.gain, ray.cell == before);
+        before = ray.cell;
       }
     }
     least_ = threshold_.Of(request_.rays).from;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "encoders/adaptive/choose_in_cells.h"
 #include "encoders/adaptive/voronoi_map.h"
 
 namespace rtb {

@@ -3,31 +3,36 @@
 /// them.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "encoders/adaptive/choose_in_cell.h"
+#include "encoders/adaptive/choose_in_cells.h"
 #include "encoders/adaptive/gain_threshold.h"
 
 namespace rtb {
 
+/// Cells take turns, those of the largest gains first: these want many rays,
+/// and from what they gain follows how little is too little for others.
+inline constexpr std::size_t kTurns = 4;
+
 /// The rays of some cells side by side.
 struct FoundRays {
-  std::vector<RayChoice> rays;    ///< In the order of finding.
-  std::vector<std::uint32_t> at;  ///< Of each cell, where its first one is.
-  std::vector<std::uint8_t> counts;
+  int begin = 0;  ///< The first of these cells.
+  int end = 0;    ///< One past the last.
+  /// In the order of finding; those of a cell follow each other, the best
+  /// first.
+  std::vector<RayChoice> rays;
   std::size_t known = 0;  ///< So many have been counted.
-
-  /// Whether a ray is the n-th or a later one of its cell.
-  bool IsLater(std::size_t i, std::size_t n) const {
-    return i >= n && rays[i - n].cell == rays[i].cell;
-  }
+  /// Where to look for them, turn by turn.
+  std::array<std::vector<int>, kTurns> cells;
+  std::vector<RayChoice> room;  ///< For those of some cells.
 };
 
 /// The `count` best rays, or all, by rising cells. Of equal gains those of
 /// lower cells, two of each at most unless that is too few.
+/// @param parts by rising cells.
 /// @param threshold has counted all gains that may matter.
 std::vector<RayChoice> TakeBest(std::span<const FoundRays> parts, int count,
                                 const GainThreshold& threshold);

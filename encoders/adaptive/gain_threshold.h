@@ -14,9 +14,11 @@ namespace rtb {
 /// Counts gains (0 or more) in classes of 1/16 of a power of 2.
 class GainThreshold {
  public:
-  void Add(float gain) {
+  /// @param counts whether to count it at all.
+  void Add(float gain, bool counts = true) {
     const std::size_t place = ClassOf(gain);
-    ++counts_[place];
+    // Without a branch, which would be a guess.
+    counts_[place] += counts ? 1 : 0;
     end_ = std::max(end_, place + 1);
   }
 

@@ -1,17 +1,19 @@
 #include "encoders/adaptive/samples.h"
 
-#include <algorithm>
-
 #include "core/color/srgb.h"
 
 namespace rtb {
 namespace {
 
-/// In this order of arguments NaN becomes 0.
-float Clip(float value) { return std::min(std::max(0.0f, value), 1.0f); }
-
-Rgb Clip(const Rgb& color) {
-  return {Clip(color.x), Clip(color.y), Clip(color.z)};
+/// NaN becomes 0.
+void Clip(std::span<const Rgb> colors, std::span<Rgb> clipped) {
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const float value = colors[i][channel];
+      const float above = value > 0 ? value : 0;
+      clipped[i][channel] = above < 1 ? above : 1;
+    }
+  }
 }
 
 }  // namespace
@@ -19,18 +21,26 @@ Rgb Clip(const Rgb& color) {
 void SeenSamples::Add(const SamplePlan& plan, const Fragments& fragments) {
   std::vector<Rgb> encoded(fragments.values.size());
   SrgbEncode(fragments.values, encoded);
+  std::vector<Rgb> linear(encoded.size());
+  Clip(fragments.values, linear);
   std::size_t value = 0;
   for (int entry = 0; entry < plan.entries(); ++entry) {
     const int cell = plan.cell(entry);
-    const auto place = static_cast<std::size_t>(cell);
-    counts_[place] += plan.samples_per_cell;
+    counts_[static_cast<std::size_t>(cell)] += plan.samples_per_cell;
     for (int i = 0; i < plan.samples_per_cell; ++i, ++value) {
-      if (!fragments.variances.empty()) {
-        variances_[place] += fragments.variances[value];
-      }
-      samples_.push_back({cell, plan.position(entry, i),
-                          Clip(fragments.values[value]), encoded[value]});
+      samples_.push_back(
+          {cell, plan.position(entry, i), linear[value], encoded[value]});
     }
+  }
+  AddVariances(plan, fragments.variances);
+}
+
+void SeenSamples::AddVariances(const SamplePlan& plan,
+                               std::span<const float> variances) {
+  const auto each = static_cast<std::size_t>(plan.samples_per_cell);
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    const int cell = plan.cell(static_cast<int>(i / each));
+    variances_[static_cast<std::size_t>(cell)] += variances[i];
   }
 }
 

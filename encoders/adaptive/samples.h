@@ -46,6 +46,8 @@ class SeenSamples {
   std::span<const SeenSample> all() const { return samples_; }
   /// Samples of one cell so far.
   int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
+  /// Of all cells.
+  std::span<const int> counts() const { return counts_; }
   /// Variance of the noise of one sample of a cell, as Fragments::variances:
   /// the mean of those known. 0 where none is.
   float variance(int cell) const {
@@ -55,6 +57,8 @@ class SeenSamples {
   }
 
  private:
+  void AddVariances(const SamplePlan& plan, std::span<const float> variances);
+
   GridSize grid_;
   std::vector<SeenSample> samples_;
   std::vector<int> counts_;

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "encoders/adaptive/slots.h"
 
@@ -24,7 +25,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Whole rows of a cell's slots: 1, 2 or 4 of them.
 using SlotFloats = hn::CappedTag<float, 16>;
 using SlotInts = hn::RebindToSigned<SlotFloats>;
+using SlotWords = hn::RebindToUnsigned<SlotFloats>;
+using SlotBytes = hn::Rebind<std::uint8_t, SlotFloats>;
 using F = hn::Vec<SlotFloats>;
+using W = hn::Vec<SlotWords>;
 using M = hn::Mask<SlotFloats>;
 
 static_assert(kSlotColumns == 4, "a row of slots fills 128 bits");
@@ -33,15 +37,15 @@ HWY_INLINE F Same(float v) { return hn::Set(SlotFloats(), v); }
 HWY_INLINE F Load(const float* from) { return hn::LoadU(SlotFloats(), from); }
 HWY_INLINE void Store(F v, float* to) { hn::StoreU(v, SlotFloats(), to); }
 
-/// The column and the row of each slot.
+/// The centers of a cell's slots, in slots.
 struct SlotPlaces {
   HWY_ALIGN float column[kSlots];
   HWY_ALIGN float row[kSlots];
 
   constexpr SlotPlaces() : column(), row() {
     for (int i = 0; i < kSlots; ++i) {
-      column[i] = static_cast<float>(i % kSlotColumns);
-      row[i] = static_cast<float>(i / kSlotColumns);
+      column[i] = static_cast<float>(i % kSlotColumns) + 0.5f;
+      row[i] = static_cast<float>(i / kSlotColumns) + 0.5f;
     }
   }
 };
@@ -50,70 +54,41 @@ inline constexpr SlotPlaces kPlaces;
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(SlotFloats()));
 inline constexpr int kVectors = kSlots / kLanes;  ///< Of a cell.
 
-/// Whether the slots from i on have other columns than those before.
-HWY_INLINE bool NewColumns(int i) { return i == 0 || kLanes < kSlotColumns; }
-
 /// A bit for each lane.
 HWY_INLINE std::uint32_t BitsOf(M mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(SlotFloats(), mask, bytes);
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+  std::uint32_t bits;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return bits;
 }
 
 /// The function of that name in slots.h.
 HWY_INLINE F GainOf(F contrast, F distance2, F extent) {
   const F area = hn::Add(distance2, extent);
-  return hn::Mul(hn::Mul(hn::Mul(contrast, area), area), hn::Sqrt(area));
+  const F area2 = hn::Mul(area, area);
+  return hn::Mul(hn::Mul(contrast, hn::Mul(area2, area2)), area);
 }
 
-/// @name Of the slots from i on their neighbors.
-/// @param cell the slots of a cell.
-/// @param row from a row of cells to the next.
-/// @{
-#if HWY_TARGET == HWY_SCALAR
-HWY_INLINE F LeftOf(const float* cell, int i) {
-  return Load(cell + i - 1 -
-              (i % kSlotColumns == 0 ? kSlots - kSlotColumns : 0));
+/// The function of that name in slots.h, of the slots from i on.
+HWY_INLINE F ExtentsOf(const CellSlots& cell, int i) {
+  const auto samples = hn::PromoteTo(
+      SlotInts(), hn::LoadU(SlotBytes(), cell.samples.data() + i));
+  return hn::Div(Same(kEmptySlot),
+                 hn::Add(hn::ConvertTo(SlotFloats(), samples), Same(1.0f)));
 }
-HWY_INLINE F RightOf(const float* cell, int i) {
-  return Load(
-      cell + i + 1 +
-      (i % kSlotColumns == kSlotColumns - 1 ? kSlots - kSlotColumns : 0));
+
+/// The squared distances of slots from a place.
+/// @param x,y that place, from the first slot's cell's or block's corner.
+/// @param slot of the first lane, counted from there.
+HWY_INLINE F DistanceOf(int slot, float cell_width, float x, float y) {
+  const F column = Load(kPlaces.column + slot);
+  const F row = Load(kPlaces.row + slot);
+  const F dx =
+      hn::Sub(hn::Mul(column, Same(cell_width / kSlotColumns)), Same(x));
+  const F dy = hn::Sub(hn::Mul(row, Same(kCellHeight / kSlotRows)), Same(y));
+  return hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
 }
-HWY_INLINE F AboveOf(const float* cell, int i, std::ptrdiff_t row) {
-  return Load(cell + i - kSlotColumns + (i < kSlotColumns ? kSlots - row : 0));
-}
-HWY_INLINE F BelowOf(const float* cell, int i, std::ptrdiff_t row) {
-  return Load(cell + i + kSlotColumns +
-              (i + kSlotColumns >= kSlots ? row - kSlots : 0));
-}
-#else
-HWY_INLINE F LeftOf(const float* cell, int i) {
-  return hn::CombineShiftRightBytes<12>(SlotFloats(), Load(cell + i),
-                                        Load(cell + i - kSlots));
-}
-HWY_INLINE F RightOf(const float* cell, int i) {
-  return hn::CombineShiftRightBytes<4>(SlotFloats(), Load(cell + i + kSlots),
-                                       Load(cell + i));
-}
-HWY_INLINE F AboveOf(const float* cell, int i, std::ptrdiff_t row) {
-  const F above = Load(cell + i - kSlotColumns);
-  if (i > 0) return above;
-  const SlotFloats d;
-  return hn::IfThenElse(hn::FirstN(d, kSlotColumns),
-                        hn::LoadDup128(d, cell - row + kSlots - kSlotColumns),
-                        above);
-}
-HWY_INLINE F BelowOf(const float* cell, int i, std::ptrdiff_t row) {
-  const F below = Load(cell + i + kSlotColumns);
-  if (i + kLanes < kSlots) return below;
-  const SlotFloats d;
-  return hn::IfThenElse(
-      hn::FirstN(d, static_cast<std::size_t>(kLanes - kSlotColumns)), below,
-      hn::LoadDup128(d, cell + row));
-}
-#endif
-/// @}
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/math/vec.h"
@@ -22,13 +22,19 @@ inline constexpr int kSlots = kSlotColumns * kSlotRows;
 /// @{
 inline constexpr std::uint32_t kFirstColumn = 0x11111111;
 inline constexpr std::uint32_t kLastColumn = 0x88888888;
-inline constexpr std::uint32_t kFirstRow = 0x0000000F;
-inline constexpr std::uint32_t kLastRow = 0xF0000000;
+/// @}
+
+/// @name Blocks: the upper and the lower half of a cell's slots.
+/// @{
+inline constexpr int kBlocks = 2;
+inline constexpr int kBlockRows = kSlotRows / kBlocks;
+inline constexpr int kBlockSlots = kSlots / kBlocks;
+inline constexpr float kBlockHeight = kCellHeight / kBlocks;
 /// @}
 
 /// A squared distance before there is a sample. Finite, as are the gains of
 /// such slots.
-inline constexpr float kFar2 = 1e9f;
+inline constexpr float kFar2 = 1e6f;
 
 /// How far from its slot's center a sample may lie, over all that the slot
 /// has: the first one near it, which spreads samples evenly, others anywhere.
@@ -37,39 +43,56 @@ inline constexpr float kFirstJitter = 0.5f;
 inline constexpr float kJitter = 1;
 /// @}
 
-/// A sample's Voronoi cell reaches at most this times the distance to the
-/// nearest other one, and a little: chosen samples lie where that is large.
-/// @{
-inline constexpr float kReach = 1.5f;
-inline constexpr float kLeastReach = 1;
-/// @}
-
 /// Squared distance that stands for an empty slot's own extent.
 inline constexpr float kEmptySlot = 1;
 
-/// What the extent of a slot counts when one more sample lies in it: kEmptySlot
-/// / (n + 1) with n samples.
-inline float WithOneMore(float extent) {
-  return 1 / (1 / extent + 1 / kEmptySlot);
+/// What the extent of a slot counts with so many samples in it.
+inline float ExtentOf(int samples) {
+  return kEmptySlot / static_cast<float>(samples + 1);
 }
 
-/// By how much a sample lowers the error of what is shown. A mean over areas
-/// that have one sample each errs by the sum of their squared areas times the
-/// variances in them (stratified sampling: Cochran, "Sampling Techniques",
-/// 1977, chapter 5); and the area that a sample stands for grows with the
-/// squared distance from it. The root more is what experiments added: it keeps
-/// texture from being passed over where two samples happen to agree.
+/// By how much a sample lowers the error of what is shown, squared: gains are
+/// only compared, and this way no root is needed. A mean over areas that have
+/// one sample each errs by the sum of their squared areas times the variances
+/// in them (stratified sampling: Cochran, "Sampling Techniques", 1977, chapter
+/// 5); and the area that a sample stands for grows with the squared distance
+/// from it. The root more is what experiments added: it keeps texture from
+/// being passed over where two samples happen to agree.
+/// @param contrast as CellSlots.
 inline float Gain(float contrast, float distance2, float extent) {
   const float area = distance2 + extent;
-  return contrast * area * area * std::sqrt(area);
+  const float area2 = area * area;
+  return contrast * (area2 * area2) * area;
 }
 
-/// What is known about the slots of one cell.
-struct CellSlots {
-  std::array<float, kSlots> contrast;   ///< See VoronoiMap.
-  std::array<float, kSlots> distance2;  ///< To the nearest sample, squared.
-  std::array<float, kSlots> extent;     ///< See WithOneMore.
+/// @name Colors of slots: their encoded channels, 10 bits each, red first.
+/// @{
+inline constexpr int kChannelBits = 10;
+inline constexpr float kChannelMost = (1 << kChannelBits) - 1;
+inline std::uint32_t PackedColor(const Rgb& encoded) {
+  const auto channel = [](float value) {
+    return static_cast<std::uint32_t>(value * kChannelMost + 0.5f);
+  };
+  return (channel(encoded.x) << (2 * kChannelBits)) +
+         (channel(encoded.y) << kChannelBits) + channel(encoded.z);
+}
+/// @}
+
+/// What is known about the slots of one cell. As small as may be: all of a
+/// picture's are more than what a core's caches hold.
+struct alignas(64) CellSlots {
+  std::array<float, kSlots> distance2;      ///< To the nearest sample, squared.
+  std::array<std::uint32_t, kSlots> color;  ///< Of that.
+  std::array<float, kSlots> contrast;       ///< Squared: see VoronoiMap.
+  std::array<std::uint8_t, kSlots> samples;  ///< How many lie in each.
 };
+
+/// The slot of a place inside a cell.
+inline std::size_t SlotAt(const V2f& position) {
+  return static_cast<std::size_t>(static_cast<int>(position.y * kSlotRows) *
+                                      kSlotColumns +
+                                  static_cast<int>(position.x * kSlotColumns));
+}
 
 /// Center of a slot inside its cell.
 inline V2f SlotCenter(int slot) {

@@ -1,7 +1,6 @@
 #include "encoders/adaptive/tracer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "encoders/adaptive/choose_rays.h"
@@ -39,8 +38,9 @@ class Tracer {
     SamplePlan plan = plan_;
     plan.positions = FirstPositions(request_.rays);
     plan.samples_per_cell = static_cast<int>(plan.positions.size());
-    const float reach = std::hypot(map_.cell_width(), kCellHeight) / 2;
-    return Trace(plan, std::vector(plan.samples(), reach));
+    RTB_RETURN_IF_ERROR(Trace(plan));
+    map_.Start(samples_.all(), plan.positions, request_.threads);
+    return {};
   }
 
   Status TraceRounds() {
@@ -69,26 +69,27 @@ class Tracer {
     if (rays.empty()) return {};
     SamplePlan plan = plan_;
     plan.samples_per_cell = 1;
-    plan.samples_before.reserve(rays.size());
-    plan.cells.reserve(rays.size());
-    plan.positions.reserve(rays.size());
-    std::vector<float> reaches;
-    reaches.reserve(rays.size());
+    plan.samples_before.resize(rays.size());
+    plan.cells.resize(rays.size());
+    plan.positions.resize(rays.size());
+    int before = -1;
+    int count = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const bool again = i > 0 && rays[i - 1].cell == rays[i].cell;
-      plan.samples_before.push_back(again ? plan.samples_before.back() + 1
-                                          : samples_.count(rays[i].cell));
-      plan.cells.push_back(rays[i].cell);
-      plan.positions.push_back(rays[i].position);
-      reaches.push_back(rays[i].reach);
+      const int cell = rays[i].cell;
+      count = cell == before ? count + 1 : samples_.count(cell);
+      before = cell;
+      plan.samples_before[i] = count;
+      plan.cells[i] = cell;
+      plan.positions[i] = rays[i].position;
     }
-    return Trace(plan, reaches);
+    RTB_RETURN_IF_ERROR(Trace(plan));
+    map_.Insert(samples_.all().last(rays.size()), request_.threads);
+    return {};
   }
 
-  Status Trace(const SamplePlan& plan, std::span<const float> reaches) {
+  Status Trace(const SamplePlan& plan) {
     RTB_ASSIGN_OR_RETURN(const Fragments fragments, source_.Query(plan));
     samples_.Add(plan, fragments);
-    map_.Insert(samples_.all().last(reaches.size()), reaches, request_.threads);
     return {};
   }
 

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "encoders/adaptive/choose_in_cell.h"
 #include "encoders/adaptive/slot_kernels.h"
 
 namespace rtb {
@@ -23,25 +22,27 @@ enum class Priority {
 /// A discrete Voronoi diagram of all samples over all slots of the grid.
 class VoronoiMap {
  public:
+  /// Start or Clear comes first.
   VoronoiMap(GridSize grid, double cell_aspect, Priority priority);
 
-  /// Enters samples. Their cells must not fall.
-  /// @param reaches how far from each of them slots may be nearest to it, at
-  ///   most kCellHeight.
-  void Insert(std::span<const SeenSample> samples,
-              std::span<const float> reaches, int threads);
+  /// Begins without samples.
+  void Clear();
+
+  /// Begins with the same number of samples in every cell.
+  /// @param samples cell by cell.
+  /// @param positions of those of each cell.
+  void Start(std::span<const SeenSample> samples,
+             std::span<const V2f> positions, int threads);
+
+  /// Enters samples. Their cells must not fall. Each is nearest to slots of the
+  /// blocks around its own at most, which is no limit once every cell has one.
+  void Insert(std::span<const SeenSample> samples, int threads);
 
   /// The slots of one cell. A slot's contrast is the larger one of those
   /// between its neighbors to the left and right, and above and below: the
   /// squared distance of the encoded colors of the samples that are nearest to
-  /// them, or its root.
-  CellSlots Slots(int cell) const;
-
-  /// What to choose one of a cell's rays from: its slots, without the rest.
-  CellChoice ChoiceIn(int cell) const;
-
-  /// Fetches what ChoiceIn will point to.
-  void Prefetch(int cell) const;
+  /// them, or its root. It is kept squared.
+  const CellSlots& Slots(int cell) const;
 
   /// The largest gain among the slots of each cell.
   std::span<const float> best_gains() const { return best_gains_; }
@@ -49,16 +50,21 @@ class VoronoiMap {
   float cell_width() const { return cell_width_; }
 
  private:
-  void InsertIntoRows(int first, int last, std::span<const SeenSample> samples,
-                      std::span<const float> reaches);
+  void InsertIntoRows(int first, int last, std::span<const SeenSample> samples);
+  void Compare(int threads);
   void RepeatBorder();
+  void BoundAround();
 
   Priority priority_;
   float cell_width_;
   SlotGrid slots_;
-  hwy::AlignedFreeUniquePtr<float[]> fields_;  ///< What slots_ points to.
-  std::vector<std::uint32_t> changed_;         ///< As well.
-  std::vector<float> best_gains_;              ///< Of each cell.
+  /// @name What slots_ points to.
+  /// @{
+  hwy::AlignedFreeUniquePtr<CellSlots[]> cells_;
+  std::vector<std::uint32_t> changed_;
+  std::vector<float> farthest_, around_, gains_;
+  /// @}
+  std::vector<float> best_gains_;  ///< Of each cell.
 };
 
 }  // namespace rtb

@@ -44,60 +44,9 @@ V2f PlaceOf(int cell, const V2f& position) {
 
 VoronoiMap MapOf(const SeenSamples& samples) {
   VoronoiMap map(kGrid, kCellAspect, Priority::kSquare);
-  const std::vector<float> reaches(samples.all().size(), kCellHeight);
-  map.Insert(samples.all(), reaches, 1);
+  map.Clear();
+  map.Insert(samples.all(), 1);
   return map;
-}
-
-TEST(AdaptiveVoronoiMap, KnowsTheDistanceToTheNearestSample) {
-  const SeenSamples samples = RandomSamples(3);
-  const VoronoiMap map = MapOf(samples);
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
-    const CellSlots slots = map.Slots(cell);
-    for (int slot = 0; slot < kSlots; ++slot) {
-      float nearest = 1e9f;
-      for (const SeenSample& sample : samples.all()) {
-        nearest = std::min(nearest, (PlaceOf(sample.cell, sample.position) -
-                                     PlaceOf(cell, SlotCenter(slot)))
-                                        .length2());
-      }
-      EXPECT_NEAR(slots.distance2[static_cast<std::size_t>(slot)], nearest,
-                  1e-3f * nearest + 1e-3f);
-    }
-  }
-}
-
-// n samples in a slot leave 1 / (n + 1) of its extent.
-TEST(AdaptiveVoronoiMap, CountsTheSamplesOfASlot) {
-  const SeenSamples samples = RandomSamples(40);
-  const VoronoiMap map = MapOf(samples);
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
-    std::array<int, kSlots> counts{};
-    for (const SeenSample& sample : samples.all()) {
-      if (sample.cell != cell) continue;
-      const int x = static_cast<int>(sample.position.x * kSlotColumns);
-      const int y = static_cast<int>(sample.position.y * kSlotRows);
-      ++counts[static_cast<std::size_t>(y * kSlotColumns + x)];
-    }
-    const CellSlots slots = map.Slots(cell);
-    for (std::size_t i = 0; i < kSlots; ++i) {
-      EXPECT_NEAR(slots.extent[i],
-                  kEmptySlot / (static_cast<float>(counts[i]) + 1), 1e-4f);
-    }
-  }
-}
-
-TEST(AdaptiveVoronoiMap, KnowsTheBestGainOfEachCell) {
-  const VoronoiMap map = MapOf(RandomSamples(3));
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
-    const CellSlots slots = map.Slots(cell);
-    float best = 0;
-    for (std::size_t i = 0; i < kSlots; ++i) {
-      best = std::max(
-          best, Gain(slots.contrast[i], slots.distance2[i], slots.extent[i]));
-    }
-    EXPECT_EQ(map.best_gains()[static_cast<std::size_t>(cell)], best) << cell;
-  }
 }
 
 // What many rays a cell would gain, chosen one at a time in every cell, holds

@@ -1,5 +1,5 @@
 /// @file
-/// What choose_in_cell.h and choose_rays.h do, by plain loops over the slots.
+/// What choose_in_cells.h and choose_rays.h do, by plain loops over the slots.
 #pragma once
 
 #include <algorithm>
@@ -25,11 +25,22 @@ inline V2f PlainPosition(int slot, float jitter, int cell, int number,
                                 V2f(jitter / kSlotColumns, jitter / kSlotRows);
 }
 
+/// From a slot's center to a place in its cell, squared.
+inline float PlainDistance2(std::size_t slot, float cell_width,
+                            const V2f& place) {
+  const auto column = static_cast<float>(slot % kSlotColumns) + 0.5f;
+  const auto row = static_cast<float>(slot / kSlotColumns) + 0.5f;
+  const float dx = column * (cell_width / kSlotColumns) - place.x * cell_width;
+  const float dy = row * (kCellHeight / kSlotRows) - place.y * kCellHeight;
+  return dx * dx + dy * dy;
+}
+
 /// The best slot, of equal ones the first.
 inline std::size_t PlainBest(const CellSlots& slots) {
   std::size_t best = 0;
   const auto gain = [&](std::size_t i) {
-    return Gain(slots.contrast[i], slots.distance2[i], slots.extent[i]);
+    return Gain(slots.contrast[i], slots.distance2[i],
+                ExtentOf(slots.samples[i]));
   };
   for (std::size_t i = 1; i < kSlots; ++i) {
     if (gain(i) > gain(best)) best = i;
@@ -37,29 +48,26 @@ inline std::size_t PlainBest(const CellSlots& slots) {
   return best;
 }
 
-/// ChooseInCell.
-/// @param slots what the pointers of `choice` point to.
-inline std::vector<RayChoice> PlainChooseInCell(CellSlots slots,
-                                                const CellChoice& choice) {
+/// ChooseInCells, for one of them.
+inline std::vector<RayChoice> PlainChooseInCell(const CellChoice& choice,
+                                                const ChoiceTerms& terms) {
+  CellSlots slots = *choice.slots;
   std::vector<RayChoice> rays;
   while (static_cast<int>(rays.size()) < choice.most) {
     const std::size_t best = PlainBest(slots);
-    float& extent = slots.extent[best];
+    std::uint8_t& samples = slots.samples[best];
     const float gain =
-        Gain(slots.contrast[best], slots.distance2[best], extent);
-    if (gain < choice.least) break;
+        Gain(slots.contrast[best], slots.distance2[best], ExtentOf(samples));
+    if (gain < terms.least) break;
     const V2f position = PlainPosition(
-        static_cast<int>(best), extent == kEmptySlot ? kFirstJitter : kJitter,
-        choice.cell, choice.seen + static_cast<int>(rays.size()), choice.seed);
-    const float reach = kReach * std::sqrt(slots.distance2[best]) + kLeastReach;
-    rays.push_back({choice.cell, position, gain, std::min(reach, kCellHeight)});
-    extent = WithOneMore(extent);
-    for (int slot = 0; slot < kSlots; ++slot) {
-      const V2f center = SlotCenter(slot);
-      const float dx = (center.x - position.x) * choice.cell_width;
-      const float dy = (center.y - position.y) * kCellHeight;
-      float& distance2 = slots.distance2[static_cast<std::size_t>(slot)];
-      distance2 = std::min(distance2, dx * dx + dy * dy);
+        static_cast<int>(best), samples == 0 ? kFirstJitter : kJitter,
+        choice.cell, choice.seen + static_cast<int>(rays.size()), terms.seed);
+    rays.push_back({choice.cell, position, gain});
+    ++samples;
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {
+      slots.distance2[slot] =
+          std::min(slots.distance2[slot],
+                   PlainDistance2(slot, terms.cell_width, position));
     }
   }
   return rays;
@@ -81,13 +89,12 @@ inline std::vector<RayChoice> PlainRays(const VoronoiMap& map,
                                         const RayRequest& request) {
   std::vector<RayChoice> rays;
   for (int cell = 0; cell < samples.grid().cells(); ++cell) {
-    CellChoice choice;
-    choice.cell_width = map.cell_width();
-    choice.cell = cell;
-    choice.seen = samples.count(cell);
-    choice.most = std::min(most, kMostPerCell - choice.seen);
-    choice.seed = request.seed;
-    for (const RayChoice& ray : PlainChooseInCell(map.Slots(cell), choice)) {
+    const int seen = samples.count(cell);
+    const CellChoice choice = {&map.Slots(cell), cell, seen,
+                               std::min(most, kMostPerCell - seen)};
+    if (choice.most == 0) continue;
+    const ChoiceTerms terms = {map.cell_width(), 0, request.seed};
+    for (const RayChoice& ray : PlainChooseInCell(choice, terms)) {
       rays.push_back(ray);
     }
   }
