@@ -10,7 +10,7 @@ namespace {
 
 /// Rounds that share what is left after the first rays. More of them gain
 /// little and cost time.
-constexpr int kRounds = 8;
+constexpr int kRounds = 5;
 
 /// The places of the first rays. Two lie as on a lattice of triangles.
 std::vector<V2f> FirstPositions(double rays) {
