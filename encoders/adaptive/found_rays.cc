@@ -12,7 +12,7 @@ constexpr std::size_t kFew = 2;
 
 std::size_t CountOf(std::span<const FoundRays> parts) {
   std::size_t count = 0;
-  for (const FoundRays& part : parts) count += part.rays.size();
+  for (const FoundRays& part : parts) count += part.count;
   return count;
 }
 
@@ -23,7 +23,7 @@ float LeastOf(std::span<const FoundRays> parts, int count,
   std::vector<float> gains(CountOf(parts) + 1);  // One to write past them.
   std::size_t found = 0;
   for (const FoundRays& part : parts) {
-    for (const RayChoice& ray : part.rays) {
+    for (const RayChoice& ray : part.found()) {
       gains[found] = ray.gain;
       // Without a branch, which would be a guess.
       found += static_cast<std::size_t>((ray.gain >= from) & (ray.gain < to));
@@ -38,27 +38,29 @@ float LeastOf(std::span<const FoundRays> parts, int count,
   return *at;
 }
 
-/// Adds the rays that gain so much, by rising cells.
-void AddFrom(float least, const FoundRays& part, std::vector<RayChoice>& rays) {
+/// Puts the rays that gain so much, by rising cells.
+/// @param out room for all of the part's, and one more.
+/// @return how many.
+std::size_t PutFrom(float least, const FoundRays& part, RayChoice* out) {
   const auto place = [&part](const RayChoice& ray) {
     return static_cast<std::size_t>(ray.cell - part.begin);
   };
   // Of each cell, where its next one goes; what is not taken goes to the end.
-  std::vector<std::size_t> next(
+  std::vector<std::uint32_t> next(
       static_cast<std::size_t>(part.end - part.begin));
-  for (const RayChoice& ray : part.rays) {
+  for (const RayChoice& ray : part.found()) {
     next[place(ray)] += ray.gain >= least ? 1 : 0;
   }
-  std::size_t at = rays.size();
-  for (std::size_t& cell : next) at += std::exchange(cell, at);
-  rays.resize(at + 1);
-  for (const RayChoice& ray : part.rays) {
-    const bool taken = ray.gain >= least;
-    std::size_t& cell = next[place(ray)];
-    rays[taken ? cell : at] = ray;
-    cell += taken ? 1 : 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t& cell : next) count += std::exchange(cell, count);
+  for (const RayChoice& ray : part.found()) {
+    const std::uint32_t taken = ray.gain >= least ? 1 : 0;
+    std::uint32_t& cell = next[place(ray)];
+    // Without a branch, which would be a guess.
+    out[taken * cell + (1 - taken) * count] = ray;
+    cell += taken;
   }
-  rays.pop_back();
+  return count;
 }
 
 /// Whether a ray is the n-th or a later one of its cell.
@@ -96,14 +98,29 @@ std::vector<RayChoice> WithoutSurplus(std::span<const RayChoice> rays,
 
 }  // namespace
 
+void FoundRays::Add(std::size_t each, std::span<const int> counts) {
+  rays.resize(std::max(rays.size(), count + counts.size() * each));
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+    const auto own = static_cast<std::size_t>(counts[cell]);
+    // All of them: how many count cannot be guessed.
+    for (std::size_t i = 0; i < each; ++i) {
+      rays[count + i] = room[cell * each + i];
+    }
+    count += own;
+  }
+}
+
 std::vector<RayChoice> TakeBest(std::span<const FoundRays> parts, int count,
                                 const GainThreshold& threshold) {
   const float least = LeastOf(parts, count, threshold);
-  std::vector<RayChoice> rays;
-  rays.reserve(CountOf(parts) + 1);
-  for (const FoundRays& part : parts) AddFrom(least, part, rays);
+  std::vector<RayChoice> rays(CountOf(parts) + 1);  // One to write past them.
+  std::size_t found = 0;
+  for (const FoundRays& part : parts) {
+    found += PutFrom(least, part, rays.data() + found);
+  }
+  rays.resize(found);
   const auto most = static_cast<std::size_t>(count);
-  return rays.size() > most ? WithoutSurplus(rays, most, least) : rays;
+  return found > most ? WithoutSurplus(rays, most, least) : rays;
 }
 
 }  // namespace rtb

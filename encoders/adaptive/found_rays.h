@@ -1,5 +1,5 @@
 /// @file
-/// FoundRays: rays to choose the best ones from. ChooseRays finds and takes
+/// FoundRays: rays to choose the best ones from. RayChooser finds and takes
 /// them.
 #pragma once
 
@@ -22,12 +22,22 @@ struct FoundRays {
   int begin = 0;  ///< The first of these cells.
   int end = 0;    ///< One past the last.
   /// In the order of finding; those of a cell follow each other, the best
-  /// first.
+  /// first. Of `rays` the first `count` count.
   std::vector<RayChoice> rays;
+  std::size_t count = 0;
   std::size_t known = 0;  ///< So many have been counted.
   /// Where to look for them, turn by turn.
   std::array<std::vector<int>, kTurns> cells;
-  std::vector<RayChoice> room;  ///< For those of some cells.
+  std::vector<RayChoice> room;  ///< For those of kCellsAtOnce cells.
+
+  std::span<const RayChoice> found() const {
+    return std::span(rays).first(count);
+  }
+
+  /// Adds those in `room`.
+  /// @param each places for each cell's.
+  /// @param counts as ChooseInCells gives them.
+  void Add(std::size_t each, std::span<const int> counts);
 };
 
 /// The `count` best rays, or all, by rising cells. Of equal gains those of

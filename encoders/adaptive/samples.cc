@@ -24,12 +24,16 @@ void SeenSamples::Add(const SamplePlan& plan, const Fragments& fragments) {
   std::vector<Rgb> linear(encoded.size());
   Clip(fragments.values, linear);
   std::size_t value = 0;
+  samples_.resize(samples_.size() + encoded.size());
+  SeenSample* next = samples_.data() + (samples_.size() - encoded.size());
   for (int entry = 0; entry < plan.entries(); ++entry) {
     const int cell = plan.cell(entry);
     counts_[static_cast<std::size_t>(cell)] += plan.samples_per_cell;
-    for (int i = 0; i < plan.samples_per_cell; ++i, ++value) {
-      samples_.push_back(
-          {cell, plan.position(entry, i), linear[value], encoded[value]});
+    for (int i = 0; i < plan.samples_per_cell; ++i, ++value, ++next) {
+      next->cell = cell;
+      next->position = plan.position(entry, i);
+      next->linear = linear[value];
+      next->encoded = encoded[value];
     }
   }
   AddVariances(plan, fragments.variances);

@@ -24,7 +24,8 @@ class Tracer {
       : source_(source),
         request_(request),
         samples_(request.grid),
-        map_(request.grid, request.cell_aspect, request.priority) {
+        map_(request.grid, request.cell_aspect, request.priority),
+        chooser_(map_, samples_) {
     samples_.Reserve(
         static_cast<std::size_t>(request.rays * request.grid.cells()));
     plan_.grid = request.grid;
@@ -65,7 +66,7 @@ class Tracer {
 
  private:
   Status TraceBest(const RayRequest& request) {
-    const std::vector<RayChoice> rays = ChooseRays(map_, samples_, request);
+    const std::vector<RayChoice> rays = chooser_.Choose(request);
     if (rays.empty()) return {};
     SamplePlan plan = plan_;
     plan.samples_per_cell = 1;
@@ -98,6 +99,7 @@ class Tracer {
   SamplePlan plan_;
   SeenSamples samples_;
   VoronoiMap map_;
+  RayChooser chooser_;
 };
 
 }  // namespace

@@ -52,6 +52,12 @@ VoronoiMap::VoronoiMap(GridSize grid, double cell_aspect, Priority priority)
   slots_.around = around_.data();
   gains_.resize(farthest_.size());
   slots_.gains = gains_.data();
+  places_.reserve(best_gains_.size());
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      places_.push_back(static_cast<std::uint32_t>(slots_.At(column, row)));
+    }
+  }
 }
 
 void VoronoiMap::Clear() {
@@ -139,11 +145,6 @@ void VoronoiMap::RepeatBorder() {
     std::copy_n(cell(x, 0), kSlotColumns, cell(x, -1) + kLast);
     std::copy_n(cell(x, rows - 1) + kLast, kSlotColumns, cell(x, rows));
   }
-}
-
-const CellSlots& VoronoiMap::Slots(int cell) const {
-  return cells_[static_cast<std::size_t>(
-      slots_.At(cell % slots_.grid.columns, cell / slots_.grid.columns))];
 }
 
 }  // namespace rtb

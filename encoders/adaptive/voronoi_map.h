@@ -42,7 +42,9 @@ class VoronoiMap {
   /// between its neighbors to the left and right, and above and below: the
   /// squared distance of the encoded colors of the samples that are nearest to
   /// them, or its root. It is kept squared.
-  const CellSlots& Slots(int cell) const;
+  const CellSlots& Slots(int cell) const {
+    return cells_[places_[static_cast<std::size_t>(cell)]];
+  }
 
   /// The largest gain among the slots of each cell.
   std::span<const float> best_gains() const { return best_gains_; }
@@ -64,7 +66,8 @@ class VoronoiMap {
   std::vector<std::uint32_t> changed_;
   std::vector<float> farthest_, around_, gains_;
   /// @}
-  std::vector<float> best_gains_;  ///< Of each cell.
+  std::vector<std::uint32_t> places_;  ///< Of each cell, in cells_.
+  std::vector<float> best_gains_;      ///< Of each cell.
 };
 
 }  // namespace rtb

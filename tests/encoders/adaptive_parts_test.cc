@@ -58,7 +58,7 @@ TEST(AdaptiveChooseRays, ChoosesTheLargestGains) {
   request.most_per_cell = 12;
   request.rays = kGrid.cells() * request.most_per_cell;
   std::vector<float> all;
-  for (const RayChoice& ray : ChooseRays(map, samples, request)) {
+  for (const RayChoice& ray : RayChooser(map, samples).Choose(request)) {
     all.push_back(ray.gain);
   }
   ASSERT_EQ(all.size(), static_cast<std::size_t>(request.rays));
@@ -66,7 +66,7 @@ TEST(AdaptiveChooseRays, ChoosesTheLargestGains) {
   for (const int rays : {1, 5, 12, 13, 40, 100}) {
     request.rays = rays;
     std::vector<float> gains;
-    for (const RayChoice& ray : ChooseRays(map, samples, request)) {
+    for (const RayChoice& ray : RayChooser(map, samples).Choose(request)) {
       gains.push_back(ray.gain);
     }
     std::ranges::sort(gains, std::greater<>());
@@ -80,7 +80,8 @@ TEST(AdaptiveChooseRays, SortsByCell) {
   const SeenSamples samples = RandomSamples(2);
   RayRequest request;
   request.rays = 30;
-  const auto rays = ChooseRays(MapOf(samples), samples, request);
+  const VoronoiMap map = MapOf(samples);
+  const auto rays = RayChooser(map, samples).Choose(request);
   EXPECT_EQ(rays.size(), 30u);
   EXPECT_TRUE(std::ranges::is_sorted(rays, {}, &RayChoice::cell));
 }

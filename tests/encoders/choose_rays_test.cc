@@ -83,7 +83,7 @@ void ExpectPlainRays(const SeenSamples& samples, int most) {
     const auto expected = PlainChooseRays(map, samples, request);
     for (const int threads : {1, 4}) {
       request.threads = threads;
-      const auto chosen = ChooseRays(map, samples, request);
+      const auto chosen = RayChooser(map, samples).Choose(request);
       ASSERT_EQ(chosen.size(), expected.size()) << rays;
       for (std::size_t i = 0; i < chosen.size(); ++i) {
         EXPECT_EQ(chosen[i].cell, expected[i].cell) << rays << ", ray " << i;
@@ -121,7 +121,7 @@ TEST(ChooseRays, VisitsNoCellTwice) {
       request.rays = rays;
       std::set<std::pair<int, std::pair<float, float>>> seen;
       int last = 0;
-      for (const RayChoice& ray : ChooseRays(map, samples, request)) {
+      for (const RayChoice& ray : RayChooser(map, samples).Choose(request)) {
         EXPECT_GE(ray.cell, last);
         last = ray.cell;
         EXPECT_TRUE(

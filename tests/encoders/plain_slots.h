@@ -101,7 +101,7 @@ inline std::vector<RayChoice> PlainRays(const VoronoiMap& map,
   return rays;
 }
 
-/// ChooseRays: of two a cell, and where a second one gains more than the last
+/// RayChooser: of two a cell, and where a second one gains more than the last
 /// of the wanted ones of these does, of all. Of equal gains the first.
 inline std::vector<RayChoice> PlainChooseRays(const VoronoiMap& map,
                                               const SeenSamples& samples,
