@@ -161,7 +161,8 @@ TEST(VoronoiMap, EntersTheSameAfterEitherStart) {
   started.Start(samples.all(), kTwo, 1);
   VoronoiMap inserted = MapOf(samples);
   Add(RandomPlaces(2), samples);
-  const auto added = samples.all().last(2 * static_cast<std::size_t>(kGrid.cells()));
+  const auto added =
+      samples.all().last(2 * static_cast<std::size_t>(kGrid.cells()));
   for (const int threads : {1, 3}) {
     started.Insert(added, threads);
     inserted.Insert(added, threads);
