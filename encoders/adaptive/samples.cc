@@ -5,13 +5,13 @@
 namespace rtb {
 namespace {
 
-/// NaN becomes 0.
+/// NaN becomes 0, as does what is below it.
 void Clip(std::span<const Rgb> colors, std::span<Rgb> clipped) {
   for (std::size_t i = 0; i < colors.size(); ++i) {
     for (int channel = 0; channel < 3; ++channel) {
       const float value = colors[i][channel];
       const float above = value > 0 ? value : 0;
-      clipped[i][channel] = above < 1 ? above : 1;
+      clipped[i][channel] = above < kBrightest ? above : kBrightest;
     }
   }
 }

@@ -20,12 +20,17 @@ inline float CellWidth(double cell_aspect) {
   return kCellHeight * static_cast<float>(cell_aspect);
 }
 
+/// Light that counts at most. A pixel's is its mean before it is clipped: a
+/// lamp makes pixels white of which it fills a part. The brightest ones would
+/// reach too far from a sample to pixels that do not see them.
+inline constexpr float kBrightest = 4;
+
 /// One sample.
 struct SeenSample {
   int cell = 0;
   V2f position{0, 0};  ///< Inside the cell, in [0, 1).
-  Rgb linear{0};       ///< Clipped to [0, 1], NaN is 0.
-  Rgb encoded{0};      ///< The same, sRGB-encoded.
+  Rgb linear{0};       ///< Clipped to [0, kBrightest], NaN is 0.
+  Rgb encoded{0};      ///< Clipped to [0, 1], sRGB-encoded, NaN is 0.
 };
 
 /// The samples of a grid in the order they came.

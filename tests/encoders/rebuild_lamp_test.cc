@@ -37,8 +37,15 @@ float SumOf(const Rgb& light) {
 TEST(RebuildLampTest, MixesBothSidesAtALampAlone) {
   const float lamp = SumOf(Rgb(15));
   const float red = SumOf(Rgb(15, 0.9f, 0.9f));
-  EXPECT_EQ(lamp, SumOf(Rgb(1)));
   EXPECT_GT(lamp, red * 1.005f);
+}
+
+// A pixel's light is its mean before it is clipped: where both sides are mixed
+// there is more of a brighter lamp, up to a bound.
+TEST(RebuildLampTest, ShowsMoreOfABrighterLamp) {
+  EXPECT_GT(SumOf(Rgb(2)), SumOf(Rgb(1)) * 1.005f);
+  EXPECT_GT(SumOf(Rgb(kBrightest)), SumOf(Rgb(2)) * 1.005f);
+  EXPECT_EQ(SumOf(Rgb(15)), SumOf(Rgb(kBrightest)));
 }
 
 }  // namespace
