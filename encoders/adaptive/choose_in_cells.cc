@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "core/math/random.h"
 
@@ -93,15 +94,12 @@ HWY_INLINE void Expect(const CellSlots& slots, float cell_width,
 /// @param unit random, in [0, 1) each way.
 HWY_INLINE V2f Jittered(const CellState& state, const V2f& unit) {
   const bool first = state.extent[state.slot] == kEmptySlot;
-  const float jitter = first ? kFirstJitter : kJitter;
-  return SlotCenter(state.slot) +
-         (unit - V2f(0.5f, 0.5f)) *
-             V2f(jitter / kSlotColumns, jitter / kSlotRows);
+  return PlaceInSlot(state.slot, first ? kFirstJitter : kJitter, unit);
 }
 
 /// The cells in which more is to be chosen, as indices.
 struct Open {
-  std::array<std::uint32_t, kCellsAtOnce> cells;
+  std::array<std::uint32_t, kCellsAtOnce> cells{};
   std::size_t count = 0;
 
   /// Without a branch, which would be a guess.
@@ -130,7 +128,7 @@ void Choose(std::span<const CellChoice> cells, const ChoiceTerms& terms,
             std::size_t room, RayChoice* out, int* counts) {
   std::array<CellState, kCellsAtOnce> states;
   RandomPlaces random;
-  Open open;
+  Open open, next;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     Start(*cells[c].slots, states[c]);
     counts[c] = 0;
@@ -143,7 +141,7 @@ void Choose(std::span<const CellChoice> cells, const ChoiceTerms& terms,
       random.number[n] = static_cast<std::uint32_t>(choice.seen + i);
     }
     random.Draw(open.count, terms.seed);
-    Open next;
+    next.count = 0;
     for (std::size_t n = 0; n < open.count; ++n) {
       const std::size_t c = open.cells[n];
       const CellChoice& choice = cells[c];
@@ -156,7 +154,7 @@ void Choose(std::span<const CellChoice> cells, const ChoiceTerms& terms,
       Expect(*choice.slots, terms.cell_width, position, state);
       next.Add(c, state.gain >= terms.least);
     }
-    open = next;
+    std::swap(open, next);
   }
 }
 

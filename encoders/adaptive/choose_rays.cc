@@ -118,11 +118,11 @@ void RayChooser::FindIn(std::span<const int> cells, const RayRequest& request,
                   std::min(request.most_per_cell, kMostPerCell - seen)};
   }
   const auto room = static_cast<std::size_t>(request.most_per_cell);
-  part.room.resize(room * kCellsAtOnce);
+  part.scratch.resize(room * kCellsAtOnce);
   std::array<int, kCellsAtOnce> counts;
   ChooseInCells(std::span(choices).first(cells.size()),
                 {map_.cell_width(), least_, request.seed}, room,
-                part.room.data(), counts.data());
+                part.scratch.data(), counts.data());
   part.Add(room, std::span(counts).first(cells.size()));
 }
 

@@ -31,7 +31,7 @@ class RayChooser {
   RayChooser(const VoronoiMap& map, const SeenSamples& samples);
 
   /// The rays of the largest expected gains, by rising cells. Fewer than asked
-  /// for only where cells have all that they may get.
+  /// for only where cells have all that they may get, now or at all.
   std::vector<RayChoice> Choose(const RayRequest& request);
 
  private:

@@ -104,7 +104,7 @@ void FoundRays::Add(std::size_t each, std::span<const int> counts) {
     const auto own = static_cast<std::size_t>(counts[cell]);
     // All of them: how many count cannot be guessed.
     for (std::size_t i = 0; i < each; ++i) {
-      rays[count + i] = room[cell * each + i];
+      rays[count + i] = scratch[cell * each + i];
     }
     count += own;
   }

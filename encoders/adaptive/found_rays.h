@@ -28,20 +28,21 @@ struct FoundRays {
   std::size_t known = 0;  ///< So many have been counted.
   /// Where to look for them, turn by turn.
   std::array<std::vector<int>, kTurns> cells;
-  std::vector<RayChoice> room;  ///< For those of kCellsAtOnce cells.
+  std::vector<RayChoice> scratch;  ///< For those of kCellsAtOnce cells.
 
   std::span<const RayChoice> found() const {
     return std::span(rays).first(count);
   }
 
-  /// Adds those in `room`.
+  /// Adds those in `scratch`.
   /// @param each places for each cell's.
   /// @param counts as ChooseInCells gives them.
   void Add(std::size_t each, std::span<const int> counts);
 };
 
 /// The `count` best rays, or all, by rising cells. Of equal gains those of
-/// lower cells, two of each at most unless that is too few.
+/// lower cells, two of each at most unless that is too few or some cell's later
+/// ray gains more.
 /// @param parts by rising cells.
 /// @param threshold has counted all gains that may matter.
 std::vector<RayChoice> TakeBest(std::span<const FoundRays> parts, int count,

@@ -21,6 +21,13 @@ HWY_BEFORE_NAMESPACE();
 namespace rtb {
 namespace HWY_NAMESPACE {
 
+// What lies before and after the colors is loaded with them, and not used.
+constexpr std::size_t kVectorBytes = kLanes * sizeof(float);
+static_assert(offsetof(CellSlots, color) >= kVectorBytes);
+static_assert(offsetof(CellSlots, color) + sizeof(CellSlots::color) +
+                  kVectorBytes <=
+              sizeof(CellSlots));
+
 /// From a slot to the same one of the next cell in a row.
 constexpr std::ptrdiff_t kNextCell = sizeof(CellSlots) / sizeof(std::uint32_t);
 

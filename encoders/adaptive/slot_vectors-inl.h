@@ -22,7 +22,7 @@ namespace rtb {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whole rows of a cell's slots: 1, 2 or 4 of them.
+/// Whole rows of a cell's slots, 1, 2 or 4 of them, but for single lanes.
 using SlotFloats = hn::CappedTag<float, 16>;
 using SlotInts = hn::RebindToSigned<SlotFloats>;
 using SlotWords = hn::RebindToUnsigned<SlotFloats>;

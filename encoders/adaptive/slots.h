@@ -2,6 +2,7 @@
 /// Slots: the places of a cell that may get a sample, and what one is worth.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -98,6 +99,18 @@ inline std::size_t SlotAt(const V2f& position) {
 inline V2f SlotCenter(int slot) {
   return {(static_cast<float>(slot % kSlotColumns) + 0.5f) / kSlotColumns,
           (static_cast<float>(slot / kSlotColumns) + 0.5f) / kSlotRows};
+}
+
+/// A place in a slot.
+/// @param jitter how far it may be from the center, over what the slot has.
+/// @param unit in [0, 1) each way.
+/// @return inside the cell, in [0, 1): rounding makes 1 of the last ones else.
+inline V2f PlaceInSlot(int slot, float jitter, const V2f& unit) {
+  constexpr float kLast = 0x1.fffffep-1f;
+  const V2f away =
+      (unit - V2f(0.5f, 0.5f)) * V2f(jitter / kSlotColumns, jitter / kSlotRows);
+  const V2f place = SlotCenter(slot) + away;
+  return {std::min(place.x, kLast), std::min(place.y, kLast)};
 }
 
 }  // namespace rtb

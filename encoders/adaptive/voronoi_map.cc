@@ -67,6 +67,7 @@ void VoronoiMap::Clear() {
                 slots_.grid.columns * kBlocks, kFar2);
   }
   std::ranges::fill(around_, kFar2);
+  std::ranges::fill(changed_, ~std::uint32_t{0});
 }
 
 void VoronoiMap::Start(std::span<const SeenSample> samples,
@@ -103,7 +104,6 @@ void VoronoiMap::BoundAround() {
 }
 
 void VoronoiMap::Insert(std::span<const SeenSample> samples, int threads) {
-  std::ranges::fill(changed_, 0);
   ParallelFor(slots_.grid.rows, kGrain, threads, [&](int begin, int end) {
     InsertIntoRows(begin, end - 1, samples);
   });
@@ -118,6 +118,7 @@ void VoronoiMap::Compare(int threads) {
                    best_gains_.data() + row * slots_.grid.columns);
     }
   });
+  std::ranges::fill(changed_, 0);
 }
 
 /// Rows of cells take what they need from the samples of those beside them, so

@@ -1,6 +1,6 @@
 /// @file
 /// VoronoiMap: the sample nearest to each slot of a grid, and how much a sample
-/// there could still tell. SeenSamples -> VoronoiMap -> ChooseRays.
+/// there could still tell. SeenSamples -> VoronoiMap -> RayChooser.
 #pragma once
 
 #include <hwy/aligned_allocator.h>
@@ -35,7 +35,8 @@ class VoronoiMap {
              std::span<const V2f> positions, int threads);
 
   /// Enters samples. Their cells must not fall. Each is nearest to slots of the
-  /// blocks around its own at most, which is no limit once every cell has one.
+  /// blocks around its own at most: no limit after Start, unless with a single
+  /// sample in each of very narrow or wide cells.
   void Insert(std::span<const SeenSample> samples, int threads);
 
   /// The slots of one cell. A slot's contrast is the larger one of those

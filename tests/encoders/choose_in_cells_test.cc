@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <utility>
 
 #include "tests/encoders/plain_slots.h"
 #include "tests/simd_targets.h"
@@ -103,6 +103,24 @@ TEST(ChooseInCells, StopsBelowTheLeastGain) {
   const ChoiceTerms terms = Terms(std::nextafter(all[0].gain, 1e9f));
   EXPECT_TRUE(PlainChooseInCell(choices[3], terms).empty());
   ExpectPlainRays(choices, terms);
+}
+
+// Of the random numbers of these cells some round to 1 in the last slots.
+TEST(ChooseInCells, StaysInsideTheCell) {
+  Slots slots(1);
+  slots[0] = {};
+  slots[0].distance2.fill(1);
+  slots[0].samples.fill(1);
+  slots[0].contrast.fill(0.5f);
+  slots[0].contrast[kSlots - 1] = 1;
+  const ChoiceTerms terms = {8, 0, 5};
+  for (const auto& [cell, seen] : {std::pair(22697, 5), std::pair(6960, 16)}) {
+    const std::vector<CellChoice> choices = {{slots.data(), cell, seen, 1}};
+    ExpectPlainRays(choices, terms);
+    const V2f place = PlainChooseInCell(choices[0], terms)[0].position;
+    EXPECT_GT(std::max(place.x, place.y), 0.9999f);
+    EXPECT_LT(std::max(place.x, place.y), 1.0f);
+  }
 }
 
 // In any two vectors and any two lanes.

@@ -52,14 +52,17 @@ TEST(CompareSlots, ComparesNeighbors) {
     for (int row = 0; row < Plane::kRows; ++row) {
       Plane expected;
       std::ranges::fill(expected.changed, kBothBlocks);
+      std::ranges::fill(expected.farthest, -1.0f);
       std::vector<float> expected_best = kOld;
       for (int column = 0; column < Plane::kColumns; ++column) {
         expected_best[static_cast<std::size_t>(column)] =
             PlainCompare(column, row, root, expected);
+        expected.Bound(column, row);
       }
       ForEachSimdTarget([&] {
         Plane plane;
         std::ranges::fill(plane.changed, kBothBlocks);
+        std::ranges::fill(plane.farthest, -1.0f);
         std::vector<float> best = kOld;
         CompareSlots(plane.Slots(), row, kLeast, root, best.data());
         ExpectSame(plane, expected);

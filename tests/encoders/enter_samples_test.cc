@@ -26,7 +26,7 @@ void PlainEnterBlock(const SeenSample& sample, const V2f& place, int x, int y,
   for (int i = 0; i < kBlockSlots; ++i) {
     const auto column = static_cast<float>(i % kSlotColumns) + 0.5f;
     const auto row = static_cast<float>(i / kSlotColumns) + 0.5f;
-    const float dx = column * (kCellWidth / kSlotColumns) - place.x;
+    const float dx = column * (plane.grid.cell_width / kSlotColumns) - place.x;
     const float dy = row * (kCellHeight / kSlotRows) - place.y;
     const auto slot = static_cast<std::size_t>(y % kBlocks * kBlockSlots + i);
     float& distance2 = plane.cells[cell].distance2[slot];
@@ -41,7 +41,7 @@ void PlainEnter(const SeenSample& sample, int first, int last, Plane& plane) {
   const int column = sample.cell % Plane::kColumns;
   const int row = sample.cell / Plane::kColumns;
   const int half = sample.position.y < 0.5f ? 0 : 1;
-  const float x = sample.position.x * kCellWidth;
+  const float x = sample.position.x * plane.grid.cell_width;
   const float y =
       sample.position.y * kCellHeight - static_cast<float>(half) * kBlockHeight;
   for (int j = -1; j <= 1; ++j) {
@@ -50,7 +50,7 @@ void PlainEnter(const SeenSample& sample, int first, int last, Plane& plane) {
     for (int i = -1; i <= 1; ++i) {
       if (column + i < 0 || column + i >= Plane::kColumns) continue;
       PlainEnterBlock(sample,
-                      V2f(x - static_cast<float>(i) * kCellWidth,
+                      V2f(x - static_cast<float>(i) * plane.grid.cell_width,
                           y - static_cast<float>(j) * kBlockHeight),
                       column + i, block, plane);
     }
@@ -62,20 +62,27 @@ void PlainEnter(const SeenSample& sample, int first, int last, Plane& plane) {
   plane.changed[cell] |= 1u << slot;
 }
 
-TEST(EnterSamples, EntersIntoRowsAndNowhereElse) {
+/// @param width of the cells.
+void ExpectPlainSlots(float width, int first, int last) {
   const std::vector<SeenSample> samples = Samples();
-  for (const int first : {0, 1, 3}) {
-    for (int last = first; last < Plane::kRows; ++last) {
-      Plane expected;
-      for (const SeenSample& sample : samples) {
-        PlainEnter(sample, first, last, expected);
+  Plane expected(width);
+  for (const SeenSample& sample : samples) {
+    PlainEnter(sample, first, last, expected);
+  }
+  ASSERT_NE(expected.changed, Plane().changed);
+  ForEachSimdTarget([&] {
+    Plane plane(width);
+    EnterSamples(samples, first, last, plane.Slots());
+    ExpectSame(plane, expected);
+  });
+}
+
+TEST(EnterSamples, EntersIntoRowsAndNowhereElse) {
+  for (const float width : {4.0f, 8.0f, 16.0f}) {
+    for (const int first : {0, 1, 3}) {
+      for (int last = first; last < Plane::kRows; ++last) {
+        ExpectPlainSlots(width, first, last);
       }
-      ASSERT_NE(expected.changed, Plane().changed);
-      ForEachSimdTarget([&] {
-        Plane plane;
-        EnterSamples(samples, first, last, plane.Slots());
-        ExpectSame(plane, expected);
-      });
     }
   }
 }

@@ -20,9 +20,7 @@ inline V2f PlainPosition(int slot, float jitter, int cell, int number,
                                 static_cast<std::uint32_t>(number), dimension,
                                 seed));
   };
-  const V2f unit(random(0), random(1));
-  return SlotCenter(slot) + (unit - V2f(0.5f, 0.5f)) *
-                                V2f(jitter / kSlotColumns, jitter / kSlotRows);
+  return PlaceInSlot(slot, jitter, V2f(random(0), random(1)));
 }
 
 /// From a slot's center to a place in its cell, squared.

@@ -12,7 +12,6 @@
 
 namespace rtb {
 
-inline constexpr float kCellWidth = 8;
 inline constexpr float kLeast = 1e-6f;
 
 inline float Unit(std::size_t index, std::uint32_t dimension) {
@@ -24,9 +23,9 @@ inline float Unit(std::size_t index, std::uint32_t dimension) {
 struct Plane {
   static constexpr int kColumns = 5, kRows = 4;
 
-  Plane() {
+  explicit Plane(float cell_width = 8) {
     grid.grid = {kColumns, kRows};
-    grid.cell_width = kCellWidth;
+    grid.cell_width = cell_width;
     cells.resize(grid.room());
     changed.resize(grid.room());
     around.resize(grid.room() * kBlocks, kFar2);

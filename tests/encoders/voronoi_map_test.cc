@@ -10,83 +10,94 @@
 namespace rtb {
 namespace {
 
-constexpr GridSize kGrid{7, 6};
-constexpr double kCellAspect = 0.5;
+/// More rows than a thread takes at once, and grids that are all border.
+constexpr GridSize kGrids[] = {{7, 19}, {3, 5}, {1, 4}, {5, 1}, {1, 1}};
 
-float Random(int i, int dimension) {
-  return UnitFloat(RandomBits(static_cast<std::uint32_t>(i), 0,
-                              static_cast<std::uint32_t>(dimension), 23));
+const std::vector<V2f> kOne = {V2f(0.52f, 0.47f)};
+const std::vector<V2f> kTwo = {V2f(0.25f, 0.24f), V2f(0.74f, 0.75f)};
+const std::vector<V2f> kThree = {V2f(0.9f, 0.11f), V2f(0.13f, 0.4f),
+                                 V2f(0.57f, 0.82f)};
+
+float Random(std::size_t i, std::uint32_t dimension) {
+  return UnitFloat(RandomBits(static_cast<std::uint32_t>(i), 0, dimension, 23));
 }
 
-/// Random grays at places in every cell.
-void Add(const std::vector<V2f>& positions, SeenSamples& samples) {
-  SamplePlan plan;
-  plan.grid = kGrid;
-  plan.samples_per_cell = static_cast<int>(positions.size()) /
-                          (positions.size() > 4 ? kGrid.cells() : 1);
-  plan.positions = positions;
-  Fragments fragments;
-  for (std::size_t i = 0; i < plan.samples(); ++i) {
-    fragments.values.emplace_back(
-        Random(static_cast<int>(i + samples.all().size()), 2));
+/// A grid of cells that are `width` wide, 16 high, and samples in random grays.
+struct World {
+  explicit World(GridSize its_grid, float its_width = 8)
+      : grid(its_grid), width(its_width), samples(its_grid) {}
+
+  /// @param places in every cell the same, or cell by cell.
+  void Add(const std::vector<V2f>& places, std::size_t each) {
+    SamplePlan plan;
+    plan.grid = grid;
+    plan.samples_per_cell = static_cast<int>(each);
+    plan.positions = places;
+    Fragments fragments;
+    for (std::size_t i = 0; i < plan.samples(); ++i) {
+      fragments.values.emplace_back(Random(i + samples.all().size(), 2));
+    }
+    samples.Add(plan, fragments);
   }
-  samples.Add(plan, fragments);
-}
-
-/// `each` samples in every cell, at random places.
-std::vector<V2f> RandomPlaces(int each) {
-  std::vector<V2f> places;
-  for (int i = 0; i < kGrid.cells() * each; ++i) {
-    places.emplace_back(Random(i, 0), Random(i, 1));
+  void AddRandom(std::size_t each) {
+    std::vector<V2f> places;
+    for (std::size_t i = 0; i < each * cells(); ++i) {
+      places.emplace_back(Random(i, 0), Random(i, 1));
+    }
+    Add(places, each);
   }
-  return places;
-}
 
-SeenSamples SamplesAt(const std::vector<V2f>& positions) {
-  SeenSamples samples(kGrid);
-  Add(positions, samples);
-  return samples;
-}
-
-VoronoiMap MapOf(const SeenSamples& samples) {
-  VoronoiMap map(kGrid, kCellAspect, Priority::kSquare);
-  map.Clear();
-  map.Insert(samples.all(), 1);
-  return map;
-}
-
-/// In sixteenths of a cell's height, from the grid's top left.
-V2f PlaceOf(int cell, const V2f& position) {
-  const V2f corner(static_cast<float>(cell % kGrid.columns),
-                   static_cast<float>(cell / kGrid.columns));
-  return (corner + position) * V2f(8, 16);
-}
-
-/// Whether the square blocks of two places are the same or touch.
-bool BlocksTouch(const V2f& a, const V2f& b) {
-  const auto apart = [](float x, float y) {
-    return std::abs(std::floor(x / kBlockHeight) -
-                    std::floor(y / kBlockHeight));
-  };
-  return apart(a.x, b.x) <= 1 && apart(a.y, b.y) <= 1;
-}
-
-float Nearest(const SeenSamples& samples, const V2f& place, bool all) {
-  float nearest = kFar2;
-  for (const SeenSample& sample : samples.all()) {
-    const V2f at = PlaceOf(sample.cell, sample.position);
-    if (!all && !BlocksTouch(at, place)) continue;
-    nearest = std::min(nearest, (at - place).length2());
+  VoronoiMap Map() const {
+    return {grid, static_cast<double>(width) / kCellHeight, Priority::kRoot};
   }
-  return nearest;
-}
+  VoronoiMap Started(const std::vector<V2f>& places) const {
+    VoronoiMap map = Map();
+    map.Start(samples.all().first(places.size() * cells()), places, 1);
+    return map;
+  }
+  VoronoiMap Inserted() const {
+    VoronoiMap map = Map();
+    map.Clear();
+    map.Insert(samples.all(), 1);
+    return map;
+  }
 
-void ExpectNearest(const VoronoiMap& map, const SeenSamples& samples,
-                   bool all) {
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+  std::size_t cells() const { return static_cast<std::size_t>(grid.cells()); }
+  /// From the grid's top left.
+  V2f PlaceOf(int cell, const V2f& position) const {
+    const V2f corner(static_cast<float>(cell % grid.columns),
+                     static_cast<float>(cell / grid.columns));
+    return (corner + position) * V2f(width, kCellHeight);
+  }
+  /// Whether the blocks of two places are the same or touch.
+  bool BlocksTouch(const V2f& a, const V2f& b) const {
+    const auto apart = [](float x, float y, float size) {
+      return std::abs(std::floor(x / size) - std::floor(y / size));
+    };
+    return apart(a.x, b.x, width) <= 1 && apart(a.y, b.y, kBlockHeight) <= 1;
+  }
+  /// The squared distance of the nearest sample: of all or of those in the
+  /// blocks around.
+  float Nearest(const V2f& place, bool all) const {
+    float nearest = kFar2;
+    for (const SeenSample& sample : samples.all()) {
+      const V2f at = PlaceOf(sample.cell, sample.position);
+      if (!all && !BlocksTouch(at, place)) continue;
+      nearest = std::min(nearest, (at - place).length2());
+    }
+    return nearest;
+  }
+
+  GridSize grid;
+  float width;
+  SeenSamples samples;
+};
+
+void ExpectNearest(const World& world, const VoronoiMap& map, bool all) {
+  for (int cell = 0; cell < world.grid.cells(); ++cell) {
     for (int slot = 0; slot < kSlots; ++slot) {
       const float expected =
-          Nearest(samples, PlaceOf(cell, SlotCenter(slot)), all);
+          world.Nearest(world.PlaceOf(cell, SlotCenter(slot)), all);
       EXPECT_NEAR(map.Slots(cell).distance2[static_cast<std::size_t>(slot)],
                   expected, 1e-3f * expected + 1e-3f);
     }
@@ -94,16 +105,22 @@ void ExpectNearest(const VoronoiMap& map, const SeenSamples& samples,
 }
 
 TEST(VoronoiMap, KnowsTheDistanceToTheNearestSampleOfTheBlocksAround) {
-  const SeenSamples samples = SamplesAt(RandomPlaces(3));
-  ExpectNearest(MapOf(samples), samples, false);
+  for (const GridSize grid : kGrids) {
+    for (const float width : {4.0f, 8.0f, 16.0f}) {
+      World world(grid, width);
+      world.AddRandom(3);
+      ExpectNearest(world, world.Inserted(), false);
+    }
+  }
 }
 
 TEST(VoronoiMap, CountsTheSamplesOfASlot) {
-  const SeenSamples samples = SamplesAt(RandomPlaces(40));
-  const VoronoiMap map = MapOf(samples);
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+  World world(kGrids[0]);
+  world.AddRandom(40);
+  const VoronoiMap map = world.Inserted();
+  for (int cell = 0; cell < world.grid.cells(); ++cell) {
     std::array<int, kSlots> counts{};
-    for (const SeenSample& sample : samples.all()) {
+    for (const SeenSample& sample : world.samples.all()) {
       if (sample.cell == cell) ++counts[SlotAt(sample.position)];
     }
     for (std::size_t i = 0; i < kSlots; ++i) {
@@ -113,8 +130,10 @@ TEST(VoronoiMap, CountsTheSamplesOfASlot) {
 }
 
 TEST(VoronoiMap, KnowsTheBestGainOfEachCell) {
-  const VoronoiMap map = MapOf(SamplesAt(RandomPlaces(3)));
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+  World world(kGrids[0]);
+  world.AddRandom(3);
+  const VoronoiMap map = world.Inserted();
+  for (int cell = 0; cell < world.grid.cells(); ++cell) {
     const CellSlots& slots = map.Slots(cell);
     float best = 0;
     for (std::size_t i = 0; i < kSlots; ++i) {
@@ -125,50 +144,81 @@ TEST(VoronoiMap, KnowsTheBestGainOfEachCell) {
   }
 }
 
+/// The red of a slot, counted over the whole grid; its border is repeated.
+float Red(const World& world, const VoronoiMap& map, int x, int y) {
+  x = std::clamp(x, 0, world.grid.columns * kSlotColumns - 1);
+  y = std::clamp(y, 0, world.grid.rows * kSlotRows - 1);
+  const int cell = y / kSlotRows * world.grid.columns + x / kSlotColumns;
+  const int slot = y % kSlotRows * kSlotColumns + x % kSlotColumns;
+  const std::uint32_t color =
+      map.Slots(cell).color[static_cast<std::size_t>(slot)];
+  return static_cast<float>(color >> (2 * kChannelBits)) / kChannelMost;
+}
+
+TEST(VoronoiMap, ComparesNeighborsAcrossCellsAndAtTheBorder) {
+  for (const GridSize grid : kGrids) {
+    World world(grid);
+    world.Add(kTwo, 2);
+    const VoronoiMap map = world.Started(kTwo);
+    for (int y = 0; y < grid.rows * kSlotRows; ++y) {
+      for (int x = 0; x < grid.columns * kSlotColumns; ++x) {
+        const float beside =
+            Red(world, map, x - 1, y) - Red(world, map, x + 1, y);
+        const float above =
+            Red(world, map, x, y - 1) - Red(world, map, x, y + 1);
+        const int cell = y / kSlotRows * grid.columns + x / kSlotColumns;
+        const int slot = y % kSlotRows * kSlotColumns + x % kSlotColumns;
+        EXPECT_NEAR(map.Slots(cell).contrast[static_cast<std::size_t>(slot)],
+                    3 * std::max(beside * beside, above * above), 3e-6f)
+            << grid.columns << " x " << grid.rows << ": " << x << ", " << y;
+      }
+    }
+  }
+}
+
 /// The slots of two maps are the same.
-void ExpectSame(const VoronoiMap& a, const VoronoiMap& b) {
-  for (int cell = 0; cell < kGrid.cells(); ++cell) {
+void ExpectSame(const World& world, const VoronoiMap& a, const VoronoiMap& b) {
+  for (int cell = 0; cell < world.grid.cells(); ++cell) {
     const CellSlots& one = a.Slots(cell);
     const CellSlots& other = b.Slots(cell);
     for (std::size_t i = 0; i < kSlots; ++i) {
       EXPECT_NEAR(one.distance2[i], other.distance2[i], 1e-4f) << cell;
     }
-    EXPECT_EQ(one.color, other.color) << cell << "," << cell % kGrid.columns;
-    EXPECT_EQ(one.samples, other.samples);
-    EXPECT_EQ(one.contrast, other.contrast);
+    EXPECT_EQ(one.color, other.color) << cell;
+    EXPECT_EQ(one.samples, other.samples) << cell;
+    EXPECT_EQ(one.contrast, other.contrast) << cell;
   }
 }
 
-const std::vector<V2f> kTwo = {V2f(0.25f, 0.24f), V2f(0.74f, 0.75f)};
-
 // No sample is out of reach there, and no two are equally far.
 TEST(VoronoiMap, StartsWithTheNearestSamples) {
-  const std::vector<V2f> three = {V2f(0.9f, 0.11f), V2f(0.13f, 0.4f),
-                                  V2f(0.57f, 0.82f)};
-  for (const auto& positions : {{V2f(0.52f, 0.47f)}, kTwo, three}) {
-    const SeenSamples samples = SamplesAt(positions);
-    VoronoiMap map(kGrid, kCellAspect, Priority::kSquare);
-    map.Start(samples.all(), positions, 1);
-    ExpectNearest(map, samples, true);
-    ExpectSame(map, MapOf(samples));
+  for (const GridSize grid : kGrids) {
+    for (const auto& places : {kOne, kTwo, kThree}) {
+      World world(grid);
+      world.Add(places, places.size());
+      const VoronoiMap map = world.Started(places);
+      ExpectNearest(world, map, true);
+      ExpectSame(world, map, world.Inserted());
+    }
   }
 }
 
 // After Start most samples look at the blocks on the near sides alone.
-TEST(VoronoiMap, EntersTheSameAfterEitherStart) {
-  SeenSamples samples = SamplesAt(kTwo);
-  VoronoiMap started(kGrid, kCellAspect, Priority::kSquare);
-  started.Start(samples.all(), kTwo, 1);
-  VoronoiMap inserted = MapOf(samples);
-  Add(RandomPlaces(2), samples);
-  const auto added =
-      samples.all().last(2 * static_cast<std::size_t>(kGrid.cells()));
-  for (const int threads : {1, 3}) {
-    started.Insert(added, threads);
-    inserted.Insert(added, threads);
+TEST(VoronoiMap, EntersTheSameAfterEitherStartOnAnyThreads) {
+  for (const GridSize grid : kGrids) {
+    World world(grid);
+    world.Add(kTwo, 2);
+    VoronoiMap inserted = world.Inserted();
+    world.AddRandom(2);
+    const auto added = world.samples.all().last(2 * world.cells());
+    inserted.Insert(added, 1);
+    ExpectNearest(world, inserted, true);
+    for (const int threads : {1, 3}) {
+      VoronoiMap started = world.Started(kTwo);
+      started.Insert(added, threads);
+      ExpectSame(world, started, inserted);
+    }
   }
-  ExpectSame(started, inserted);
-  ExpectNearest(started, samples, true);
 }
 
 }  // namespace
