@@ -21,7 +21,7 @@ float Apart(std::uint32_t a, std::uint32_t b) {
 }
 
 /// The contrasts of one cell and its best gain.
-float PlainCompare(int column, int row, bool root, Plane& plane) {
+float PlainCompare(int column, int row, bool root, SlotPlane& plane) {
   CellSlots& cell =
       plane.cells[static_cast<std::size_t>(plane.grid.At(column, row))];
   const auto at = static_cast<std::size_t>(plane.grid.At(column, row));
@@ -42,25 +42,25 @@ float PlainCompare(int column, int row, bool root, Plane& plane) {
 }
 
 /// The best gains of a row before it is compared.
-const std::vector<float> kOld(Plane::kColumns);
+const std::vector<float> kOld(SlotPlane::kColumns);
 
 /// A slot of each block.
 constexpr std::uint32_t kBothBlocks = 1u << 9 | 1u << 22;
 
 TEST(CompareSlots, ComparesNeighbors) {
   for (const bool root : {false, true}) {
-    for (int row = 0; row < Plane::kRows; ++row) {
-      Plane expected;
+    for (int row = 0; row < SlotPlane::kRows; ++row) {
+      SlotPlane expected;
       std::ranges::fill(expected.changed, kBothBlocks);
       std::ranges::fill(expected.farthest, -1.0f);
       std::vector<float> expected_best = kOld;
-      for (int column = 0; column < Plane::kColumns; ++column) {
+      for (int column = 0; column < SlotPlane::kColumns; ++column) {
         expected_best[static_cast<std::size_t>(column)] =
             PlainCompare(column, row, root, expected);
         expected.Bound(column, row);
       }
       ForEachSimdTarget([&] {
-        Plane plane;
+        SlotPlane plane;
         std::ranges::fill(plane.changed, kBothBlocks);
         std::ranges::fill(plane.farthest, -1.0f);
         std::vector<float> best = kOld;
@@ -75,12 +75,12 @@ TEST(CompareSlots, ComparesNeighbors) {
 /// Which blocks of row 1 are compared where one slot has changed: of each cell
 /// 0, 1 (the upper one), 2 or both.
 std::vector<int> ComparedAfter(int x, int y) {
-  Plane plane;
-  plane.changed[plane.Cell(x, y)] = 1u << Plane::InCell(x, y);
+  SlotPlane plane;
+  plane.changed[plane.Cell(x, y)] = 1u << SlotPlane::InCell(x, y);
   std::vector<float> best = kOld;
   CompareSlots(plane.Slots(), 1, kLeast, false, best.data());
   std::vector<int> compared;
-  for (int column = 0; column < Plane::kColumns; ++column) {
+  for (int column = 0; column < SlotPlane::kColumns; ++column) {
     const float* const gains = &plane.gains[static_cast<std::size_t>(
         plane.grid.At(column, 1) * kBlocks)];
     compared.push_back((gains[0] >= 0 ? 1 : 0) + (gains[1] >= 0 ? 2 : 0));
@@ -106,19 +106,19 @@ TEST(CompareSlots, ComparesWhatChangedOrLiesBesideIt) {
 
 // A slot that has a sample already is nearer to that one than to a second.
 TEST(CompareSlots, ASampleThatChangesNoColorRenewsItsBlocksBestGain) {
-  Plane before;
+  SlotPlane before;
   for (CellSlots& cell : before.cells) cell.distance2.fill(0);
   const std::vector<SeenSample> samples = {
-      {Plane::kColumns + 2, V2f(0.3f, 0.8f), Rgb(0), Rgb(0.5f)}};
+      {SlotPlane::kColumns + 2, V2f(0.3f, 0.8f), Rgb(0), Rgb(0.5f)}};
   const auto at = static_cast<std::size_t>(before.grid.At(2, 1));
   ForEachSimdTarget([&] {
-    Plane plane = before;
-    EnterSamples(samples, 0, Plane::kRows - 1, plane.Slots());
+    SlotPlane plane = before;
+    EnterSamples(samples, 0, SlotPlane::kRows - 1, plane.Slots());
     EXPECT_EQ(plane.cells[at].color, before.cells[at].color);
     EXPECT_NE(plane.cells[at].samples, before.cells[at].samples);
     std::vector<float> best = kOld;
     CompareSlots(plane.Slots(), 1, kLeast, false, best.data());
-    Plane expected = plane;
+    SlotPlane expected = plane;
     PlainCompare(2, 1, false, expected);
     EXPECT_EQ(plane.gains[at * kBlocks + 1], expected.gains[at * kBlocks + 1]);
     EXPECT_EQ(plane.gains[at * kBlocks], -1.0f);

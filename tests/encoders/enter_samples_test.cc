@@ -11,7 +11,7 @@ namespace {
 /// Three samples in each cell.
 std::vector<SeenSample> Samples() {
   std::vector<SeenSample> samples;
-  for (int i = 0; i < 3 * Plane::kColumns * Plane::kRows; ++i) {
+  for (int i = 0; i < 3 * SlotPlane::kColumns * SlotPlane::kRows; ++i) {
     const auto place = static_cast<std::size_t>(i);
     samples.push_back({i / 3, V2f(Unit(place, 10), Unit(place, 11)), Rgb(0),
                        Rgb(Unit(place, 12), Unit(place, 13), Unit(place, 14))});
@@ -21,7 +21,7 @@ std::vector<SeenSample> Samples() {
 
 /// @param x,y of the block, by columns and rows of blocks.
 void PlainEnterBlock(const SeenSample& sample, const V2f& place, int x, int y,
-                     Plane& plane) {
+                     SlotPlane& plane) {
   const auto cell = static_cast<std::size_t>(plane.grid.At(x, y / kBlocks));
   for (int i = 0; i < kBlockSlots; ++i) {
     const auto column = static_cast<float>(i % kSlotColumns) + 0.5f;
@@ -37,9 +37,10 @@ void PlainEnterBlock(const SeenSample& sample, const V2f& place, int x, int y,
   }
 }
 
-void PlainEnter(const SeenSample& sample, int first, int last, Plane& plane) {
-  const int column = sample.cell % Plane::kColumns;
-  const int row = sample.cell / Plane::kColumns;
+void PlainEnter(const SeenSample& sample, int first, int last,
+                SlotPlane& plane) {
+  const int column = sample.cell % SlotPlane::kColumns;
+  const int row = sample.cell / SlotPlane::kColumns;
   const int half = sample.position.y < 0.5f ? 0 : 1;
   const float x = sample.position.x * plane.grid.cell_width;
   const float y =
@@ -48,7 +49,7 @@ void PlainEnter(const SeenSample& sample, int first, int last, Plane& plane) {
     const int block = row * kBlocks + half + j;
     if (block < first * kBlocks || block >= (last + 1) * kBlocks) continue;
     for (int i = -1; i <= 1; ++i) {
-      if (column + i < 0 || column + i >= Plane::kColumns) continue;
+      if (column + i < 0 || column + i >= SlotPlane::kColumns) continue;
       PlainEnterBlock(sample,
                       V2f(x - static_cast<float>(i) * plane.grid.cell_width,
                           y - static_cast<float>(j) * kBlockHeight),
@@ -65,13 +66,13 @@ void PlainEnter(const SeenSample& sample, int first, int last, Plane& plane) {
 /// @param width of the cells.
 void ExpectPlainSlots(float width, int first, int last) {
   const std::vector<SeenSample> samples = Samples();
-  Plane expected(width);
+  SlotPlane expected(width);
   for (const SeenSample& sample : samples) {
     PlainEnter(sample, first, last, expected);
   }
-  ASSERT_NE(expected.changed, Plane().changed);
+  ASSERT_NE(expected.changed, SlotPlane().changed);
   ForEachSimdTarget([&] {
-    Plane plane(width);
+    SlotPlane plane(width);
     EnterSamples(samples, first, last, plane.Slots());
     ExpectSame(plane, expected);
   });
@@ -80,7 +81,7 @@ void ExpectPlainSlots(float width, int first, int last) {
 TEST(EnterSamples, EntersIntoRowsAndNowhereElse) {
   for (const float width : {4.0f, 8.0f, 16.0f}) {
     for (const int first : {0, 1, 3}) {
-      for (int last = first; last < Plane::kRows; ++last) {
+      for (int last = first; last < SlotPlane::kRows; ++last) {
         ExpectPlainSlots(width, first, last);
       }
     }
@@ -89,23 +90,23 @@ TEST(EnterSamples, EntersIntoRowsAndNowhereElse) {
 
 // Blocks on the far sides of a sample's are half a block away at least.
 TEST(EnterSamples, EntersIntoBlocksOnTheNearSidesWhereThatIsEnough) {
-  Plane near;
+  SlotPlane near;
   for (CellSlots& cell : near.cells) {
     for (float& distance2 : cell.distance2) distance2 *= 25.0f / 30;
   }
-  for (int row = 0; row < Plane::kRows; ++row) {
-    for (int column = 0; column < Plane::kColumns; ++column) {
+  for (int row = 0; row < SlotPlane::kRows; ++row) {
+    for (int column = 0; column < SlotPlane::kColumns; ++column) {
       near.Bound(column, row);
     }
   }
-  Plane expected = near;
+  SlotPlane expected = near;
   for (const SeenSample& sample : Samples()) {
-    PlainEnter(sample, 0, Plane::kRows - 1, expected);
+    PlainEnter(sample, 0, SlotPlane::kRows - 1, expected);
   }
   ForEachSimdTarget([&] {
-    Plane plane = near;
+    SlotPlane plane = near;
     std::ranges::fill(plane.around, 25.0f);
-    EnterSamples(Samples(), 0, Plane::kRows - 1, plane.Slots());
+    EnterSamples(Samples(), 0, SlotPlane::kRows - 1, plane.Slots());
     ExpectSame(plane, expected);
   });
 }

@@ -20,10 +20,10 @@ inline float Unit(std::size_t index, std::uint32_t dimension) {
 }
 
 /// A grid of random slots.
-struct Plane {
+struct SlotPlane {
   static constexpr int kColumns = 5, kRows = 4;
 
-  explicit Plane(float cell_width = 8) {
+  explicit SlotPlane(float cell_width = 8) {
     grid.grid = {kColumns, kRows};
     grid.cell_width = cell_width;
     cells.resize(grid.room());
@@ -86,7 +86,7 @@ struct Plane {
   std::vector<float> farthest, around, gains;
 };
 
-inline void ExpectSame(const Plane& a, const Plane& b) {
+inline void ExpectSame(const SlotPlane& a, const SlotPlane& b) {
   for (std::size_t i = 0; i < a.cells.size(); ++i) {
     EXPECT_EQ(a.cells[i].distance2, b.cells[i].distance2) << i;
     EXPECT_EQ(a.cells[i].color, b.cells[i].color) << i;
