@@ -51,8 +51,6 @@ class SeenSamples {
   std::span<const SeenSample> all() const { return samples_; }
   /// Samples of one cell so far.
   int count(int cell) const { return counts_[static_cast<std::size_t>(cell)]; }
-  /// Of all cells.
-  std::span<const int> counts() const { return counts_; }
   /// Variance of the noise of one sample of a cell, as Fragments::variances:
   /// the mean of those known. 0 where none is.
   float variance(int cell) const {

@@ -28,7 +28,6 @@ inline constexpr std::uint32_t kLastColumn = 0x88888888;
 /// @name Blocks: the upper and the lower half of a cell's slots.
 /// @{
 inline constexpr int kBlocks = 2;
-inline constexpr int kBlockRows = kSlotRows / kBlocks;
 inline constexpr int kBlockSlots = kSlots / kBlocks;
 inline constexpr float kBlockHeight = kCellHeight / kBlocks;
 /// @}
